@@ -1,0 +1,40 @@
+# Flags that every target of the project shares.
+add_library(promenade_flags INTERFACE)
+target_include_directories(promenade_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+target_compile_options(promenade_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion -Werror
+  # No contraction to fused multiply-adds: swapping the two frames of a comparison must not change a bit.
+  -ffp-contract=off)
+# x86-64-v3 (AVX2) is what Embree needs to be worth its name; every machine since 2013 has it.
+target_compile_options(promenade_flags INTERFACE -march=x86-64-v3)
+if(PROMENADE_SANITIZE)
+  target_compile_options(promenade_flags INTERFACE -fsanitize=${PROMENADE_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(promenade_flags INTERFACE -fsanitize=${PROMENADE_SANITIZE})
+endif()
+
+# promenade_library(NAME SOURCES a.cpp ... [PUBLIC target ...] [PRIVATE target ...]): promenade::NAME.
+function(promenade_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(promenade_${name} STATIC ${ARG_SOURCES})
+  add_library(promenade::${name} ALIAS promenade_${name})
+  set_target_properties(promenade_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(promenade_${name} PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:promenade_flags> ${ARG_PRIVATE})
+  target_include_directories(promenade_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+endfunction()
+
+# promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...]): one executable, one CTest entry a test case.
+function(promenade_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE promenade_flags ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
+  target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()
+if(PROMENADE_TESTS)
+  include(GoogleTest)
+endif()

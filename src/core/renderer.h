@@ -1,0 +1,46 @@
+#pragma once
+// What the walkthrough needs of a renderer, so that another renderer can stand in its place.
+
+#include <cstdint>
+
+#include "src/core/frame.h"
+
+namespace promenade {
+
+/// What the planner must know of an item to decide whether its look may change with the viewpoint.
+struct ItemTraits {
+  /// Strongly specular, glossy or transparent by its material: warping may show a wrong reflection.
+  bool viewDependent = false;
+};
+
+/// Ray counts since the renderer was made, all threads.
+struct RayCounts {
+  std::uint64_t visibility = 0;  ///< primary rays that were not shaded
+  std::uint64_t primary = 0;     ///< primary rays of shaded samples
+  std::uint64_t scattered = 0;   ///< every later ray of a path
+  std::uint64_t shadow = 0;
+};
+
+class Renderer {
+ public:
+  Renderer() = default;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  virtual ~Renderer() = default;
+
+  /// Primary rays only: a few per cent of the cost of render().
+  [[nodiscard]] virtual Visibility visibility(const Camera& camera) const = 0;
+
+  /// Shades the samples selected by `mask` (the size of the camera) and writes them into `frame`, whose
+  /// visibility is that of `camera`, marking them with `source`. `frameIndex` seeds the random numbers with pixel and
+  /// sample: the same call gives the same pixels for any number of threads.
+  virtual void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const = 0;
+
+  /// Every sample traced and shaded.
+  [[nodiscard]] virtual Frame render(const Camera& camera, int frameIndex) const = 0;
+
+  [[nodiscard]] virtual ItemTraits traits(ItemId item) const = 0;
+  [[nodiscard]] virtual RayCounts rayCounts() const = 0;
+};
+
+}  // namespace promenade
