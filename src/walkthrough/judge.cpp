@@ -1,0 +1,159 @@
+#include "src/walkthrough/judge.h"
+
+#include <cmath>
+#include <unordered_map>
+
+#include "src/core/resolve.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+Rgb radianceOf(const ibr::Warped& warped, int x, int y) {
+  return warped.diffuse(x, y) + warped.viewDependent(x, y);
+}
+
+bool isValid(const ibr::Warped& warped, int x, int y) {
+  return warped.validity(x, y) == ibr::Validity::kValid;
+}
+
+/// Mean radiance of the valid samples: what holes are filled with, so that they add no contrast of their own.
+Rgb meanRadiance(const WarpedPair& warped) {
+  glm::dvec3 sum(0.0);
+  double count = 0.0;
+  for (int y = 0; y < warped.target.depth.height(); ++y) {
+    for (int x = 0; x < warped.target.depth.width(); ++x) {
+      for (const ibr::Warped* source : {&warped.fromFirst, &warped.fromLast}) {
+        if (!isValid(*source, x, y)) continue;
+        sum += glm::dvec3(radianceOf(*source, x, y));
+        count += 1.0;
+      }
+    }
+  }
+  return count > 0.0 ? Rgb(sum / count) : Rgb(0.0f);
+}
+
+double percentSelected(const Mask& mask) {
+  std::size_t selected = 0;
+  for (const auto value : mask.pixels()) selected += value != 0 ? 1 : 0;
+  return 100.0 * static_cast<double>(selected) / static_cast<double>(mask.size().area());
+}
+
+struct Look {
+  EncodedMap fromFirst;
+  EncodedMap fromLast;
+  aqm::Result metric;
+};
+
+Look compareAsSeen(const ComparedPair& pair, const VelocityMap& velocity, const Settings& settings) {
+  Look look;
+  look.fromFirst = encodeForDisplay(resolveRadiance(pair.fromFirst, settings.supersample), settings.tone);
+  look.fromLast = encodeForDisplay(resolveRadiance(pair.fromLast, settings.supersample), settings.tone);
+  look.metric = aqm::compare(displayLuminance(look.fromFirst, settings.display),
+                             displayLuminance(look.fromLast, settings.display), velocity,
+                             aqm::Settings{settings.display.pixelsPerDegree()});
+  return look;
+}
+
+}  // namespace
+
+ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced) {
+  const Size size = warped.target.depth.size();
+  const Rgb fill = meanRadiance(warped);
+  ComparedPair pair{RadianceMap(size), RadianceMap(size), Mask(size), Mask(size)};
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const bool first = isValid(warped.fromFirst, x, y);
+      const bool last = isValid(warped.fromLast, x, y);
+      Rgb a = first ? radianceOf(warped.fromFirst, x, y) : last ? radianceOf(warped.fromLast, x, y) : fill;
+      Rgb b = last ? radianceOf(warped.fromLast, x, y) : a;
+      if ((!first && !last) || traced.contains(warped.target.item(x, y))) {
+        pair.excluded(x, y) = 1;
+        b = a;
+      } else if (first != last) {
+        pair.unverified(x, y) = 1;
+      }
+      pair.fromFirst(x, y) = a;
+      pair.fromLast(x, y) = b;
+    }
+  }
+  return pair;
+}
+
+Mask resolveMask(const Mask& samples, int factor) {
+  Mask pixels(samples.width() / factor, samples.height() / factor);
+  for (int y = 0; y < pixels.height(); ++y) {
+    for (int x = 0; x < pixels.width(); ++x) {
+      int selected = 0;
+      for (int j = 0; j < factor; ++j) {
+        for (int i = 0; i < factor; ++i) selected += samples(x * factor + i, y * factor + j) != 0 ? 1 : 0;
+      }
+      pixels(x, y) = 2 * selected > factor * factor ? 1 : 0;
+    }
+  }
+  return pixels;
+}
+
+ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item, const Mask& excluded,
+                       const Mask& unverified, const Renderer& renderer, double tolerancePercent) {
+  struct Count {
+    bool viewDependent = false;
+    std::size_t compared = 0;
+    std::size_t visible = 0;
+  };
+  std::unordered_map<ItemId, Count> counts;
+  for (int y = 0; y < item.height(); ++y) {
+    for (int x = 0; x < item.width(); ++x) {
+      const ItemId id = item(x, y);
+      if (id == kNoItem || excluded(x, y) != 0 || unverified(x, y) != 0) continue;
+      const auto [entry, isNew] = counts.try_emplace(id);
+      Count& count = entry->second;
+      if (isNew) count.viewDependent = renderer.traits(id).viewDependent;
+      if (!count.viewDependent) continue;
+      ++count.compared;
+      if (probability(x, y) > aqm::kVisibleProbability) ++count.visible;
+    }
+  }
+  std::vector<ItemId> failing;
+  std::vector<ItemId> proven;
+  for (const auto& [id, count] : counts) {
+    if (!count.viewDependent) continue;
+    const double percent = 100.0 * static_cast<double>(count.visible) / static_cast<double>(count.compared);
+    (percent > tolerancePercent ? failing : proven).push_back(id);
+  }
+  return {ItemSet(std::move(failing)), ItemSet(std::move(proven))};
+}
+
+Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const VelocityMap& velocity,
+                      const Renderer& renderer, const Settings& settings) {
+  const int factor = settings.supersample;
+  ComparedPair pair = comparedPair(warped, ItemSet());
+  Look look = compareAsSeen(pair, velocity, settings);
+
+  Judgement judgement;
+  judgement.items = judgeItems(look.metric.probability, resolveVisibility(warped.target, factor).item,
+                               resolveMask(pair.excluded, factor), resolveMask(pair.unverified, factor),
+                               renderer, settings.tolerancePercent);
+  if (!judgement.items.failing.empty()) {
+    // A mask laid over the finished map would let the failing items speak through filters and pooling.
+    pair = comparedPair(warped, judgement.items.failing);
+    look = compareAsSeen(pair, velocity, settings);
+  }
+  Mask excluded = resolveMask(pair.excluded, factor);
+
+  SegmentStatistics& statistics = judgement.statistics;
+  statistics.segment = segment;
+  statistics.differencePercent = aqm::percentVisible(look.metric.probability, excluded);
+  statistics.maskedPercent = percentSelected(excluded);
+  statistics.unverifiedPercent = percentSelected(resolveMask(pair.unverified, factor));
+  statistics.decision =
+      statistics.differencePercent > settings.tolerancePercent ? Decision::kSplit : Decision::kAccept;
+  judgement.middle = {segment,
+                      statistics.decision,
+                      std::move(look.fromFirst),
+                      std::move(look.fromLast),
+                      std::move(excluded),
+                      std::move(look.metric)};
+  return judgement;
+}
+
+}  // namespace promenade::walkthrough

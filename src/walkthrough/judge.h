@@ -1,0 +1,63 @@
+#pragma once
+// Would a viewer see that the middle of a segment was warped? Both keyframes are warped to it and compared.
+// Source: Myszkowski, Rokita, Tawara 2000, section 4; masking of pixels that are traced anyway:
+// docs/method.md.
+
+#include <vector>
+
+#include "aqm/metric.h"
+#include "ibr/warp.h"
+#include "src/core/renderer.h"
+#include "src/walkthrough/item_set.h"
+#include "src/walkthrough/walkthrough.h"
+
+namespace promenade::walkthrough {
+
+/// Both keyframes of a segment as seen from one of its inbetweens, at sample resolution.
+struct WarpedPair {
+  Visibility target;
+  ibr::Warped fromFirst;
+  ibr::Warped fromLast;
+};
+
+/// The two images that the metric is given. Where nothing can be compared they are equal.
+struct ComparedPair {
+  RadianceMap fromFirst;  ///< samples
+  RadianceMap fromLast;   ///< samples
+  Mask excluded;          ///< samples that will be traced: holes and `traced` items
+  Mask unverified;        ///< samples that only one keyframe fills
+};
+
+/// Holes, samples that one keyframe alone fills, and samples of `traced` items carry the same value in both
+/// images.
+[[nodiscard]] ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced);
+
+/// A display pixel is selected if more than half of its samples are.
+[[nodiscard]] Mask resolveMask(const Mask& samples, int factor);
+
+/// The view-dependent items whose look may not be warped in this segment follow from what was seen in its
+/// middle.
+struct ItemVerdict {
+  ItemSet failing;  ///< compared, and more than the tolerance of their pixels differ visibly
+  ItemSet proven;   ///< compared, and did not fail
+};
+
+/// `item`, `excluded`, `unverified` at display resolution. Only items for which `renderer` says viewDependent
+/// are listed; those without a single pixel that both keyframes fill are in neither set: nothing is known of
+/// them.
+[[nodiscard]] ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item,
+                                     const Mask& excluded, const Mask& unverified, const Renderer& renderer,
+                                     double tolerancePercent);
+
+struct Judgement {
+  SegmentStatistics statistics;
+  ItemVerdict items;
+  JudgedMiddle middle;
+};
+
+/// `velocity` is the image velocity of the middle frame at display resolution.
+[[nodiscard]] Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped,
+                                    const VelocityMap& velocity, const Renderer& renderer,
+                                    const Settings& settings);
+
+}  // namespace promenade::walkthrough

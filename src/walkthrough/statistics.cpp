@@ -1,0 +1,30 @@
+#include "src/walkthrough/statistics.h"
+
+#include <algorithm>
+
+namespace promenade::walkthrough {
+
+std::uint64_t Statistics::samples() const {
+  std::uint64_t sum = 0;
+  for (const FrameStatistics& frame : frames) sum += frame.samples;
+  return sum;
+}
+
+std::uint64_t Statistics::samplesTraced() const {
+  std::uint64_t sum = 0;
+  for (const FrameStatistics& frame : frames) sum += frame.samplesTraced;
+  return sum;
+}
+
+int Statistics::keyframes() const {
+  return static_cast<int>(std::count_if(frames.begin(), frames.end(), [](const FrameStatistics& frame) {
+    return frame.kind == FrameKind::kKeyframe;
+  }));
+}
+
+double Statistics::tracedFraction() const {
+  const auto all = samples();
+  return all == 0 ? 0.0 : static_cast<double>(samplesTraced()) / static_cast<double>(all);
+}
+
+}  // namespace promenade::walkthrough

@@ -1,0 +1,73 @@
+#pragma once
+// What a run did and what it cost. report.json says the same (docs/formats.md).
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "src/core/renderer.h"
+#include "src/walkthrough/plan.h"
+
+namespace promenade::walkthrough {
+
+enum class FrameKind { kKeyframe, kInbetween };
+
+struct FrameStatistics {
+  int index = 0;
+  FrameKind kind = FrameKind::kKeyframe;
+  std::uint64_t samples = 0;
+  std::uint64_t samplesTraced = 0;  ///< fully shaded; a sample shaded twice counts twice
+  std::uint64_t holes = 0;          ///< samples that no keyframe could fill (traced)
+  std::uint64_t itemSamples = 0;    ///< samples of items whose warped look a viewer could tell (traced)
+  std::vector<ItemId> itemsTraced;  ///< those items, sorted
+  std::uint64_t warped = 0;         ///< samples taken from keyframes
+  double seconds = 0.0;
+};
+
+struct SegmentStatistics {
+  Segment segment;
+  Decision decision = Decision::kAccept;
+  /// Per cent of the remaining (not masked) pixels of the middle frame where a viewer sees a difference.
+  double differencePercent = 0.0;
+  double maskedPercent = 0.0;      ///< pixels that will be traced anyway: holes and failing items
+  double unverifiedPercent = 0.0;  ///< pixels that only one keyframe fills: their warp was not checked
+};
+
+/// Wall seconds by part; the parts do not overlap.
+struct PartSeconds {
+  double trace = 0.0;
+  double visibility = 0.0;
+  double warp = 0.0;
+  double metric = 0.0;
+  double filter = 0.0;
+  double output = 0.0;  ///< inside the frame sink
+};
+
+struct Statistics {
+  std::vector<FrameStatistics> frames;      ///< in the order of time
+  std::vector<SegmentStatistics> segments;  ///< in the order of judgement
+  PartSeconds seconds;
+  RayCounts rays;
+
+  [[nodiscard]] std::uint64_t samples() const;
+  [[nodiscard]] std::uint64_t samplesTraced() const;
+  [[nodiscard]] int keyframes() const;
+  /// Fully shaded samples over all samples of all frames, keyframes included.
+  [[nodiscard]] double tracedFraction() const;
+};
+
+/// Adds the wall time of its scope to a number of seconds.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace promenade::walkthrough

@@ -1,0 +1,216 @@
+#include "src/walkthrough/walkthrough.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "ibr/flow.h"
+#include "src/core/errors.h"
+#include "src/core/resolve.h"
+#include "src/walkthrough/inbetween.h"
+#include "src/walkthrough/judge.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+void validate(const paths::CameraPath& path, const Settings& settings) {
+  const FrameRange frames = settings.frames;
+  if (frames.first < 0 || frames.last < frames.first || frames.last >= path.frameCount()) {
+    throw InputError("frames " + std::to_string(frames.first) + "-" + std::to_string(frames.last),
+                     "the path has frames 0-" + std::to_string(path.frameCount() - 1));
+  }
+  if (settings.size.width < 1 || settings.size.height < 1) throw InputError("size", "expected at least 1x1");
+  if (settings.supersample < 1) throw InputError("supersample", "expected at least 1");
+  if (settings.keyframeSpacing < 1) throw InputError("spacing", "expected at least 1");
+  if (!(settings.tolerancePercent >= 0.0 && settings.tolerancePercent <= 100.0)) {
+    throw InputError("tolerance", "expected a per cent in [0, 100]");
+  }
+}
+
+/// One walk from beginning to end. Holds the keyframes that are still needed and nothing older.
+class Walk {
+ public:
+  Walk(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+       const Outputs& outputs)
+      : path_(path), renderer_(renderer), settings_(settings), outputs_(outputs) {}
+
+  Statistics run() {
+    if (settings_.method == Method::kFull) {
+      for (int frame = settings_.frames.first; frame <= settings_.frames.last; ++frame) {
+        keyframe(frame);
+        finishKeyframe(frame);
+        keyframes_.clear();
+      }
+    } else {
+      subdivide(
+          settings_.frames, settings_.keyframeSpacing,
+          [this](const Segment& segment) { return judge(segment); },
+          [this](const Segment& segment) { finish(segment); });
+    }
+    statistics_.rays = renderer_.rayCounts();
+    return std::move(statistics_);
+  }
+
+ private:
+  struct Keyframe {
+    Frame frame;
+    FrameStatistics statistics;
+    bool finished = false;
+  };
+  struct Middle {
+    int index = -1;
+    WarpedPair warped;
+    ItemVerdict verdict;
+  };
+
+  [[nodiscard]] Camera displayCamera(int frame) const { return path_.camera(frame, settings_.size); }
+  [[nodiscard]] Camera sampleCamera(int frame) const {
+    return displayCamera(frame).supersampled(settings_.supersample);
+  }
+
+  const Frame& keyframe(int index) {
+    const auto found = keyframes_.find(index);
+    if (found != keyframes_.end()) return found->second.frame;
+    const double before = statistics_.seconds.trace;
+    Keyframe made;
+    {
+      const Stopwatch watch(statistics_.seconds.trace);
+      made.frame = renderer_.render(sampleCamera(index), index);
+    }
+    made.statistics.index = index;
+    made.statistics.kind = FrameKind::kKeyframe;
+    made.statistics.samples = made.frame.diffuse.size().area();
+    made.statistics.samplesTraced = made.statistics.samples;
+    made.statistics.seconds = statistics_.seconds.trace - before;
+    return keyframes_.emplace(index, std::move(made)).first->second.frame;
+  }
+
+  WarpedPair warpTo(int index, const Segment& segment) {
+    const Frame& first = keyframe(segment.first);
+    const Frame& last = keyframe(segment.last);
+    WarpedPair pair;
+    {
+      const Stopwatch watch(statistics_.seconds.visibility);
+      pair.target = renderer_.visibility(sampleCamera(index));
+    }
+    const Stopwatch watch(statistics_.seconds.warp);
+    pair.fromFirst = ibr::gatherWarp(first, pair.target, settings_.warp);
+    pair.fromLast = ibr::gatherWarp(last, pair.target, settings_.warp);
+    return pair;
+  }
+
+  [[nodiscard]] VelocityMap velocityAt(int index, const Visibility& samples) const {
+    const Visibility pixels = resolveVisibility(samples, settings_.supersample);
+    const auto flowTo = [&](int other) {
+      return other >= 0 && other < path_.frameCount() ? ibr::pixelFlow(pixels, displayCamera(other))
+                                                      : PixelFlow();
+    };
+    return ibr::imageVelocity(flowTo(index - 1), flowTo(index + 1), path_.framesPerSecond,
+                              settings_.display.pixelsPerDegree());
+  }
+
+  Decision judge(const Segment& segment) {
+    Middle middle;
+    middle.index = segment.middle();
+    middle.warped = warpTo(middle.index, segment);
+    Judgement judgement;
+    {
+      const Stopwatch watch(statistics_.seconds.metric);
+      judgement = judgeMiddle(segment, middle.warped, velocityAt(middle.index, middle.warped.target),
+                              renderer_, settings_);
+    }
+    statistics_.segments.push_back(judgement.statistics);
+    const Decision decision = judgement.statistics.decision;
+    if (outputs_.middle) outputs_.middle(std::move(judgement.middle));
+    if (decision == Decision::kAccept) {
+      middle.verdict = std::move(judgement.items);
+      middle_ = std::move(middle);
+    }
+    return decision;
+  }
+
+  void finish(const Segment& segment) {
+    keyframe(segment.first);
+    finishKeyframe(segment.first);
+    for (int index = segment.first + 1; index < segment.last; ++index) finishInbetween(index, segment);
+    keyframe(segment.last);
+    finishKeyframe(segment.last);
+    // Nothing before the segment's end is a source of anything that is still to come.
+    keyframes_.erase(keyframes_.begin(), keyframes_.lower_bound(segment.last));
+    middle_ = {};
+  }
+
+  void finishInbetween(int index, const Segment& segment) {
+    const auto start = std::chrono::steady_clock::now();
+    WarpedPair pair = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
+    const double t =
+        static_cast<double>(index - segment.first) / static_cast<double>(segment.last - segment.first);
+    Inbetween made = synthesise(std::move(pair), t, index, middle_.verdict, renderer_, statistics_.seconds);
+    made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    output(index, made.frame, std::move(made.statistics));
+  }
+
+  void finishKeyframe(int index) {
+    Keyframe& key = keyframes_.at(index);
+    if (std::exchange(key.finished, true)) return;
+    output(index, key.frame, key.statistics);
+  }
+
+  void output(int index, const Frame& frame, FrameStatistics statistics) {
+    FinishedFrame finished;
+    finished.index = index;
+    finished.kind = statistics.kind;
+    {
+      const Stopwatch watch(statistics_.seconds.filter);
+      const int factor = settings_.supersample;
+      finished.radiance = resolveRadiance(combinedRadiance(frame), factor);
+      finished.visibility = resolveVisibility(frame.visibility, factor);
+      finished.source = resolveSource(frame.source, factor);
+      finished.flowToNext = index + 1 < path_.frameCount()
+                                ? ibr::pixelFlow(finished.visibility, displayCamera(index + 1))
+                                : PixelFlow(settings_.size, glm::vec2(0.0f));
+    }
+    statistics_.frames.push_back(std::move(statistics));
+    {
+      const Stopwatch watch(statistics_.seconds.output);
+      if (outputs_.frame) outputs_.frame(std::move(finished));
+    }
+    if (outputs_.progress) {
+      outputs_.progress(
+          {"frames", statistics_.frames.size(), static_cast<std::uint64_t>(settings_.frames.count())});
+    }
+  }
+
+  const paths::CameraPath& path_;
+  const Renderer& renderer_;
+  const Settings& settings_;
+  const Outputs& outputs_;
+  std::map<int, Keyframe> keyframes_;
+  Middle middle_;  ///< of the segment that was accepted last
+  Statistics statistics_;
+};
+
+}  // namespace
+
+Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
+                             const Settings& settings, const Outputs& outputs) {
+  validate(path, settings);
+  return Walk(path, renderer, settings, outputs).run();
+}
+
+double memoryNeededBytes(const Settings& settings) {
+  // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
+  // of splits, the middle's and an inbetween's visibility and two warps each, the blended frame. A display
+  // pixel takes about 4 kB inside the metric.
+  const double samples =
+      static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
+  const double keyframes =
+      settings.method == Method::kFull ? 1.0 : 3.0 + std::ceil(std::log2(settings.keyframeSpacing));
+  const double others = settings.method == Method::kFull ? 1.0 : 8.0;
+  const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
+  return samples * 45.0 * (keyframes + others) + static_cast<double>(settings.size.area()) * metric;
+}
+
+}  // namespace promenade::walkthrough

@@ -1,0 +1,75 @@
+#pragma once
+// The whole road from a path to finished frames: plan, warp, judge, blend, retrace, resolve.
+// Source: Myszkowski, Rokita, Tawara 1999, 2000; docs/method.md.
+
+#include <functional>
+
+#include "aqm/metric.h"
+#include "ibr/warp.h"
+#include "paths/camera_path.h"
+#include "src/core/display.h"
+#include "src/core/progress.h"
+#include "src/core/renderer.h"
+#include "src/walkthrough/plan.h"
+#include "src/walkthrough/statistics.h"
+
+namespace promenade::walkthrough {
+
+enum class Method {
+  kImageBased,  ///< keyframes traced, inbetweens warped
+  kFull,        ///< every frame traced: the reference
+};
+
+struct Settings {
+  Size size{1280, 720};  ///< display pixels
+  int supersample = 2;   ///< samples along a pixel's edge, >= 1
+  FrameRange frames;     ///< of the path
+  Method method = Method::kImageBased;
+  double tolerancePercent = 3.0;  ///< of the remaining pixels with P > 0.75; above it a segment is split
+  int keyframeSpacing = 16;       ///< frames of a first segment
+  ToneMapping tone;
+  DisplayModel display;
+  ibr::WarpSettings warp;
+};
+
+/// A frame at display resolution, ready for output. Maps have Settings::size.
+struct FinishedFrame {
+  int index = 0;
+  FrameKind kind = FrameKind::kKeyframe;
+  RadianceMap radiance;
+  Visibility visibility;
+  PixelFlow flowToNext;  ///< to the path's next frame; zero on the path's last
+  SourceMap source;
+};
+
+/// What the metric saw in the middle of a judged segment. Maps have Settings::size.
+struct JudgedMiddle {
+  Segment segment;
+  Decision decision = Decision::kAccept;
+  EncodedMap fromFirst;
+  EncodedMap fromLast;
+  Mask excluded;
+  aqm::Result metric;
+};
+
+struct Outputs {
+  std::function<void(FinishedFrame&&)> frame;  ///< frames come in the order of time, each exactly once
+  std::function<void(JudgedMiddle&&)> middle;  ///< may be empty
+  ProgressCallback progress;                   ///< may be empty; may throw Interrupted
+};
+
+/// Renders settings.frames of `path`. Memory does not grow with the number of frames. Throws InputError if
+/// the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside [0, 100]).
+[[nodiscard]] Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
+                                           const Settings& settings, const Outputs& outputs);
+
+/// One exposure for the whole walk: the log-average luminance of a few small frames spread over it is brought
+/// to the middle grey of 0.18 (Reinhard et al. 2002, eq. 1 and 2). Whole numbers of a tenth of a stop.
+[[nodiscard]] double automaticExposure(const paths::CameraPath& path, FrameRange frames,
+                                       const Renderer& renderer, Size size);
+
+/// Upper bound of the bytes that renderWalkthrough holds at once for these settings (scene and solution not
+/// counted).
+[[nodiscard]] double memoryNeededBytes(const Settings& settings);
+
+}  // namespace promenade::walkthrough
