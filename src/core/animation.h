@@ -13,7 +13,8 @@ namespace promenade {
 enum class Interpolation { kStep, kLinear, kCubicSpline };
 
 /// One animated property (glTF 2.0, 3.11). `times` in seconds. For kCubicSpline `values` holds for each time
-/// in-tangent, value, out-tangent; else one value a time. Rotations keep the file's order x, y, z, w in a vec4.
+/// in-tangent, value, out-tangent; else one value a time. Rotations keep the file's order x, y, z, w in a
+/// vec4.
 template <class Value>
 struct Track {
   Interpolation interpolation = Interpolation::kLinear;

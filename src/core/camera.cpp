@@ -27,8 +27,7 @@ glm::dvec3 Camera::pointAt(glm::dvec2 pixel, double depthMetres) const {
   return pose_.eye + depthMetres * direction(pixel);
 }
 
-std::optional<Projection> Camera::project(const glm::dvec3& worldPoint) const {
-  const glm::dvec3 local = glm::transpose(pose_.worldFromCamera) * (worldPoint - pose_.eye);
+std::optional<Projection> Camera::projectLocal(const glm::dvec3& local) const {
   const double depth = -local.z;
   if (!(depth > 0.0)) return std::nullopt;
   const glm::dvec2 pixel(0.5 * size_.width + focalPixels_ * local.x / depth - subpixelOffset_.x,
@@ -36,8 +35,12 @@ std::optional<Projection> Camera::project(const glm::dvec3& worldPoint) const {
   return Projection{pixel, depth};
 }
 
+std::optional<Projection> Camera::project(const glm::dvec3& worldPoint) const {
+  return projectLocal(glm::transpose(pose_.worldFromCamera) * (worldPoint - pose_.eye));
+}
+
 std::optional<glm::dvec2> Camera::projectDirection(const glm::dvec3& worldDirection) const {
-  const auto projection = project(pose_.eye + worldDirection);
+  const auto projection = projectLocal(glm::transpose(pose_.worldFromCamera) * worldDirection);
   if (!projection) return std::nullopt;
   return projection->pixel;
 }

@@ -11,7 +11,8 @@
 
 namespace promenade {
 
-/// A rigid placement: columns of `worldFromCamera` are the camera's right, up and backward axes (orthonormal).
+/// A rigid placement: columns of `worldFromCamera` are the camera's right, up and backward axes
+/// (orthonormal).
 struct Pose {
   glm::dmat3 worldFromCamera{1.0};
   glm::dvec3 eye{0.0};
@@ -24,7 +25,7 @@ struct Projection {
 
 class Camera {
  public:
-  Camera() = default;
+  Camera() : Camera(Pose{}, 1.0, Size{1, 1}) {}
   /// `verticalFieldOfView` in radians, in (0, pi); `size` at least 1x1. Precondition, asserted.
   /// `subpixelOffset` moves every sample position by that many pixels (|offset| <= 0.5).
   Camera(const Pose& pose, double verticalFieldOfView, Size size, glm::dvec2 subpixelOffset = {0.0, 0.0});
@@ -50,11 +51,13 @@ class Camera {
   [[nodiscard]] Camera withSubpixelOffset(glm::dvec2 offset) const;
 
  private:
+  [[nodiscard]] std::optional<Projection> projectLocal(const glm::dvec3& cameraSpace) const;
+
   Pose pose_;
-  double verticalFieldOfView_ = 1.0;
-  Size size_{1, 1};
-  glm::dvec2 subpixelOffset_{0.0, 0.0};
-  double focalPixels_ = 1.0;
+  double verticalFieldOfView_;
+  Size size_;
+  glm::dvec2 subpixelOffset_;
+  double focalPixels_;
 };
 
 }  // namespace promenade

@@ -7,7 +7,12 @@
 namespace promenade {
 namespace {
 
-float cleaned(float value) { return value > 0.0f ? std::min(value, 1e6f) : 0.0f; }
+// An emissive display in a dark room shows true black; the eye's own noise keeps its logarithm finite.
+constexpr double kDarkestLuminance = 1e-4;
+
+float cleaned(float value) {
+  return value > 0.0f ? std::min(value, 1e6f) : 0.0f;
+}
 
 // Khronos PBR Neutral tone mapper (Khronos Group, "Khronos PBR Neutral Tone Mapper" specification, 2024).
 Rgb neutralCurve(Rgb color) {
@@ -16,7 +21,8 @@ Rgb neutralCurve(Rgb color) {
   constexpr float kDesaturation = 0.15f;
 
   const float smallest = std::min({color.r, color.g, color.b});
-  const float offset = smallest < 2.0f * kFresnel ? smallest - smallest * smallest / (4.0f * kFresnel) : kFresnel;
+  const float offset =
+      smallest < 2.0f * kFresnel ? smallest - smallest * smallest / (4.0f * kFresnel) : kFresnel;
   color -= Rgb(offset);
 
   const float peak = std::max({color.r, color.g, color.b});
@@ -43,7 +49,9 @@ float decode(float encoded, TransferFunction transfer) {
 
 }  // namespace
 
-float luminance(const Rgb& linear) { return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b; }
+float luminance(const Rgb& linear) {
+  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b;
+}
 
 float encodeSrgb(float linear) {
   const float v = std::abs(linear);
@@ -61,7 +69,8 @@ Rgb toneMap(const Rgb& radiance, const ToneMapping& tone) {
   const float scale = static_cast<float>(std::exp2(tone.exposureEv));
   Rgb color(cleaned(radiance.r * scale), cleaned(radiance.g * scale), cleaned(radiance.b * scale));
   if (tone.curve == ToneCurve::kNeutral) color = neutralCurve(color);
-  return Rgb(std::clamp(color.r, 0.0f, 1.0f), std::clamp(color.g, 0.0f, 1.0f), std::clamp(color.b, 0.0f, 1.0f));
+  return Rgb(std::clamp(color.r, 0.0f, 1.0f), std::clamp(color.g, 0.0f, 1.0f),
+             std::clamp(color.b, 0.0f, 1.0f));
 }
 
 EncodedMap encodeForDisplay(const RadianceMap& radiance, const ToneMapping& tone) {
@@ -84,8 +93,9 @@ double DisplayModel::pixelsPerDegree() const {
 float DisplayModel::luminanceOf(const Rgb& encoded) const {
   const Rgb linear(decode(encoded.r, transfer), decode(encoded.g, transfer), decode(encoded.b, transfer));
   const double reflected = ambientIlluminance * screenReflectance / std::numbers::pi;
-  return static_cast<float>(blackLuminance + reflected +
-                            (peakLuminance - blackLuminance) * static_cast<double>(luminance(linear)));
+  const double emitted =
+      blackLuminance + (peakLuminance - blackLuminance) * static_cast<double>(luminance(linear));
+  return static_cast<float>(std::max(emitted + reflected, kDarkestLuminance));
 }
 
 LuminanceMap displayLuminance(const EncodedMap& encoded, const DisplayModel& display) {

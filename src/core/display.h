@@ -17,10 +17,12 @@ namespace promenade {
 
 enum class ToneCurve {
   kLinear,   ///< clipped at 1
-  kNeutral,  ///< Khronos PBR Neutral: identity up to 0.8 less the Fresnel offset, highlights compressed, hue kept
+  kNeutral,  ///< Khronos PBR Neutral: identity up to 0.8 less the Fresnel offset, highlights compressed, hue
+             ///< kept
 };
 
-/// One global mapping for a whole walkthrough: every frame, and both frames of every comparison, use the same.
+/// One global mapping for a whole walkthrough: every frame, and both frames of every comparison, use the
+/// same.
 struct ToneMapping {
   ToneCurve curve = ToneCurve::kNeutral;
   double exposureEv = 0.0;  ///< radiance is multiplied by 2^exposureEv before the curve
@@ -46,7 +48,7 @@ struct DisplayModel {
 
   /// Pixels per degree of visual angle at the centre of the screen.
   [[nodiscard]] double pixelsPerDegree() const;
-  /// Luminance of an encoded value, cd/m2: black + reflected + (peak - black) * Y(decoded). Always > 0.
+  /// Luminance of an encoded value, cd/m2: black + reflected + (peak - black) * Y(decoded), at least 1e-4.
   [[nodiscard]] float luminanceOf(const Rgb& encoded) const;
 };
 

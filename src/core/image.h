@@ -34,8 +34,14 @@ class Image {
   }
   Image(int width, int height, T fill = T{}) : Image(Size{width, height}, fill) {}
 
-  Image(Image&&) noexcept = default;
-  Image& operator=(Image&&) noexcept = default;
+  /// A moved-from image is empty: 0x0, no pixels.
+  Image(Image&& other) noexcept
+      : size_(std::exchange(other.size_, Size{})), pixels_(std::exchange(other.pixels_, {})) {}
+  Image& operator=(Image&& other) noexcept {
+    size_ = std::exchange(other.size_, Size{});
+    pixels_ = std::exchange(other.pixels_, {});
+    return *this;
+  }
   Image& operator=(const Image&) = delete;
   ~Image() = default;
 
@@ -78,6 +84,12 @@ class Map : public Image<T> {
  public:
   using Image<T>::Image;
   Map() = default;
+  // Declared because a base whose copy constructor is merely protected would leave the implicit copy public
+  // here.
+  Map(Map&&) noexcept = default;
+  Map& operator=(Map&&) noexcept = default;
+  Map& operator=(const Map&) = delete;
+  ~Map() = default;
   [[nodiscard]] Map clone() const { return Map(static_cast<const Image<T>&>(*this)); }
 
  private:

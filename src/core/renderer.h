@@ -32,8 +32,8 @@ class Renderer {
   [[nodiscard]] virtual Visibility visibility(const Camera& camera) const = 0;
 
   /// Shades the samples selected by `mask` (the size of the camera) and writes them into `frame`, whose
-  /// visibility is that of `camera`, marking them with `source`. `frameIndex` seeds the random numbers with pixel and
-  /// sample: the same call gives the same pixels for any number of threads.
+  /// visibility is that of `camera`, marking them with `source`. `frameIndex` seeds the random numbers with
+  /// pixel and sample: the same call gives the same pixels for any number of threads.
   virtual void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const = 0;
 
   /// Every sample traced and shaded.

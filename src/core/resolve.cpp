@@ -31,8 +31,9 @@ RadianceMap resolveRadiance(const RadianceMap& samples, int factor) {
 Visibility resolveVisibility(const Visibility& samples, int factor) {
   const Size size = displaySize(samples.depth.size(), factor);
   const Camera& c = samples.camera;
-  Visibility pixels{Camera(c.pose(), c.verticalFieldOfView(), size, c.subpixelOffset() / static_cast<double>(factor)),
-                    DepthMap(size), NormalMap(size), ItemBuffer(size)};
+  Visibility pixels{
+      Camera(c.pose(), c.verticalFieldOfView(), size, c.subpixelOffset() / static_cast<double>(factor)),
+      DepthMap(size), NormalMap(size), ItemBuffer(size)};
   // The samples around the pixel's centre: one for an odd factor, four for an even one.
   const int first = (factor - 1) / 2;
   const int last = factor / 2;

@@ -9,8 +9,8 @@ namespace promenade {
 /// Precondition: the sample image is a multiple of `factor` in both directions.
 [[nodiscard]] RadianceMap resolveRadiance(const RadianceMap& samples, int factor);
 
-/// Depth, normal, item of a display pixel: those of the sample nearest to its centre that is closest to the eye,
-/// so that no value is ever a mix of two surfaces.
+/// Depth, normal, item of a display pixel: those of the sample nearest to its centre that is closest to the
+/// eye, so that no value is ever a mix of two surfaces.
 [[nodiscard]] Visibility resolveVisibility(const Visibility& samples, int factor);
 
 /// The most frequent source of the pixel's samples (ties: the larger enum value, i.e. the more traced one).
