@@ -1,0 +1,44 @@
+#pragma once
+// Random numbers of one path: hash-based Owen-scrambled Sobol points, two dimensions at a time.
+// Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020), with the hash of Vegdahl (2021) for the
+// scrambling. Each pair of dimensions is the 2D Sobol (0,2)-sequence with its own shuffling of indices and
+// its own scrambling ("padding"), so the paths of one pixel are stratified in every pair, for every power of
+// two.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+namespace promenade::render {
+
+/// A plain value: a counter and two words. The same arguments give the same numbers on every machine.
+class Sampler {
+ public:
+  /// Which sequence: paths of one pixel and frame share it and differ in `path`. Different pixels, frames or
+  /// seeds get independently scrambled sequences.
+  struct Stream {
+    glm::uvec2 pixel{0, 0};
+    std::uint32_t frame = 0;
+    std::uint32_t seed = 0;
+  };
+
+  /// `path` counts the paths of the stream from 0; any aligned block of 2^k of them is a stratified set.
+  Sampler(const Stream& stream, std::uint32_t path);
+
+  /// The next dimension, in [0, 1).
+  [[nodiscard]] float next1D();
+  /// The next pair of dimensions, in [0, 1)^2.
+  [[nodiscard]] glm::vec2 next2D();
+
+ private:
+  struct Dimension {
+    std::uint32_t index;
+    std::uint32_t hash;
+  };
+  Dimension nextDimension();
+
+  std::uint32_t reversedPath_;
+  std::uint32_t streamHash_;
+  std::uint32_t dimension_ = 0;
+};
+
+}  // namespace promenade::render
