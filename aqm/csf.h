@@ -1,0 +1,23 @@
+#pragma once
+// The contrast sensitivity of the eye to a pattern that moves over the retina.
+// S(rho, v) = c0 c2 k v (2 pi c1 rho)^2 exp(-4 pi c1 rho / rmax), k = 6.1 + 7.3 |log10(c2 v / 3)|^3, rmax
+// = 45.9 / (c2 v + 2): Kelly 1979, eq. (8), with the constants of Daly 1998 (c0 = 1.14, c1 = 0.67, c2 = 1.7),
+// who fits it to natural viewing.
+
+namespace promenade::aqm {
+
+/// The slowest the retinal image ever moves, degrees per second: the eye drifts (Daly 1998).
+inline constexpr double kDriftSpeed = 0.15;
+
+/// The part of S that depends on the speed alone, so that
+/// S(rho, v) = speedGain(v) rho^2 exp(-rho frequencyDecay(v)). `degreesPerSecond` > 0.
+[[nodiscard]] double speedGain(double degreesPerSecond);
+
+/// See speedGain(); in degrees, so that frequencyDecay(v) rho has no unit. Linear in the speed.
+[[nodiscard]] double frequencyDecay(double degreesPerSecond);
+
+/// 1 / threshold contrast of a grating of `cyclesPerDegree` >= 0 that moves over the retina at
+/// `degreesPerSecond` > 0. S(0, v) = 0.
+[[nodiscard]] double sensitivity(double cyclesPerDegree, double degreesPerSecond);
+
+}  // namespace promenade::aqm

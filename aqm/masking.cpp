@@ -1,0 +1,108 @@
+#include "aqm/masking.h"
+
+#include <hwy/highway.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aqm/gaussian.h"
+
+namespace promenade::aqm {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<float, 8>;
+
+/// Larger responses count as this, so that their powers stay finite.
+constexpr float kLargestResponse = 1e8f;
+/// A strip of this many columns stays in the cache while a filter runs down it.
+constexpr int kStripWidth = 256;
+constexpr int kRowsPerBlock = 16;
+
+template <class V>
+V bounded(V response) {
+  const Lanes tag;
+  return hn::Clamp(response, hn::Set(tag, -kLargestResponse), hn::Set(tag, kLargestResponse));
+}
+
+void elevate(const float* responses, float* elevations, int count) {
+  const Lanes tag;
+  for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(tag))) {
+    const auto response = bounded(hn::Load(tag, responses + x));
+    const auto square = hn::Mul(response, response);
+    const auto fourth = hn::Mul(square, square);
+    hn::StoreU(hn::Sqrt(hn::Sqrt(hn::Add(hn::Set(tag, 1.0f), fourth))), tag, elevations + x);
+  }
+}
+
+/// sums += (|test - reference| / min(elevations))^3.5
+void addDifferences(const float* test, const float* reference, const float* testElevation,
+                    const float* referenceElevation, float* sums, int count) {
+  const Lanes tag;
+  for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(tag))) {
+    const auto elevation = hn::Min(hn::Load(tag, testElevation + x), hn::Load(tag, referenceElevation + x));
+    const auto change =
+        hn::Abs(hn::Sub(bounded(hn::Load(tag, test + x)), bounded(hn::Load(tag, reference + x))));
+    const auto difference = hn::Div(change, elevation);
+    const auto cube = hn::Mul(hn::Mul(difference, difference), difference);
+    const auto power = hn::Mul(cube, hn::Sqrt(difference));
+    hn::Store(hn::Add(hn::Load(tag, sums + x), power), tag, sums + x);
+  }
+}
+
+}  // namespace
+
+double thresholdElevation(double response) {
+  return std::pow(1.0 + std::pow(response, 4.0), 0.25);
+}
+
+DifferenceSum::DifferenceSum(Size image)
+    : image_(image),
+      powers_(image.width, image.height),
+      testElevation_(image.width, image.height),
+      referenceElevation_(image.width, image.height) {}
+
+void DifferenceSum::filterRows(const Plane<float>& responses, const GaussianKernel& kernel,
+                               Plane<float>& to) const {
+  const int blocks = (image_.height + kRowsPerBlock - 1) / kRowsPerBlock;
+  tbb::parallel_for(0, blocks, [&](int block) {
+    ExtendedRow elevation(image_.width, kernel.radius(), Border::kReflect);
+    const int end = std::min((block + 1) * kRowsPerBlock, image_.height);
+    for (int y = block * kRowsPerBlock; y < end; ++y) {
+      elevate(responses.row(y), elevation.samples(), responses.stride());
+      elevation.extend();
+      kernel.weightedSum(elevation.taps(), to.row(y), to.stride());
+    }
+  });
+}
+
+void DifferenceSum::add(const Responses& responses, int band) {
+  const GaussianKernel kernel(0.375 * std::ldexp(1.0, band));
+  filterRows(responses.test, kernel, testElevation_);
+  filterRows(responses.reference, kernel, referenceElevation_);
+
+  const int blocks = (image_.height + kRowsPerBlock - 1) / kRowsPerBlock;
+  tbb::parallel_for(0, blocks, [&](int block) {
+    Plane<float> elevations(kStripWidth, 2);
+    const auto lowPass = [&](const Plane<float>& rows, int y, int x, int count, float* to) {
+      std::vector<const float*> taps = columnTaps(rows, y, kernel.radius(), Border::kReflect, nullptr);
+      for (const float*& tap : taps) {
+        tap += x;
+      }
+      kernel.weightedSum(taps.data(), to, count);
+    };
+    const int end = std::min((block + 1) * kRowsPerBlock, image_.height);
+    for (int x = 0; x < powers_.stride(); x += kStripWidth) {
+      const int count = std::min(kStripWidth, powers_.stride() - x);
+      for (int y = block * kRowsPerBlock; y < end; ++y) {
+        lowPass(testElevation_, y, x, count, elevations.row(0));
+        lowPass(referenceElevation_, y, x, count, elevations.row(1));
+        addDifferences(responses.test.row(y) + x, responses.reference.row(y) + x, elevations.row(0),
+                       elevations.row(1), powers_.row(y) + x, count);
+      }
+    }
+  });
+}
+
+}  // namespace promenade::aqm

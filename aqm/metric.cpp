@@ -1,0 +1,141 @@
+#include "aqm/metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "aqm/channels.h"
+#include "aqm/contrast.h"
+#include "aqm/cortex.h"
+#include "aqm/fourier.h"
+#include "aqm/layout.h"
+#include "aqm/masking.h"
+#include "aqm/pooling.h"
+#include "aqm/spectrum.h"
+#include "aqm/speed_field.h"
+#include "src/core/errors.h"
+
+namespace promenade::aqm {
+namespace {
+
+template <class... Parts>
+[[noreturn]] void reject(const Parts&... parts) {
+  std::ostringstream message;
+  (message << ... << parts);
+  throw InputError(message.str());
+}
+
+void checkSize(const char* what, Size found, Size expected) {
+  if (found != expected) {
+    reject(what, ": expected ", expected.width, " x ", expected.height,
+           " pixels, as the test frame has, found ", found.width, " x ", found.height);
+  }
+}
+
+void checkLuminance(const char* what, const LuminanceMap& luminance) {
+  for (int y = 0; y < luminance.height(); ++y) {
+    for (int x = 0; x < luminance.width(); ++x) {
+      const float value = luminance(x, y);
+      if (!(value > 0.0f && std::isfinite(value))) {
+        reject(what, ": pixel (", x, ", ", y, "): expected a finite luminance above 0 cd/m2, found ", value);
+      }
+    }
+  }
+}
+
+void checkVelocity(const VelocityMap& velocity) {
+  for (int y = 0; y < velocity.height(); ++y) {
+    for (int x = 0; x < velocity.width(); ++x) {
+      const glm::vec2 value = velocity(x, y);
+      if (!std::isfinite(value.x) || !std::isfinite(value.y)) {
+        reject("velocity: pixel (", x, ", ", y, "): expected finite degrees per second, found (", value.x,
+               ", ", value.y, ")");
+      }
+    }
+  }
+}
+
+void checkInputs(const LuminanceMap& test, const LuminanceMap& reference, const VelocityMap& velocity,
+                 const Settings& settings) {
+  if (!(settings.pixelsPerDegree > 0.0 && settings.pixelsPerDegree <= kMostPixelsPerDegree)) {
+    reject("pixels per degree: expected above 0 and at most ", kMostPixelsPerDegree, ", found ",
+           settings.pixelsPerDegree);
+  }
+  if (test.empty()) {
+    reject("test frame: expected at least one pixel, found ", test.width(), " x ", test.height());
+  }
+  checkSize("reference frame", reference.size(), test.size());
+  if (!velocity.empty()) {
+    checkSize("velocity", velocity.size(), test.size());
+  }
+  checkLuminance("test frame", test);
+  checkLuminance("reference frame", reference);
+  checkVelocity(velocity);
+}
+
+bool areEqual(const LuminanceMap& a, const LuminanceMap& b) {
+  return std::ranges::equal(a.pixels(), b.pixels());
+}
+
+Result noDifference(Size size) {
+  return {JndMap(size), JndMap(size), ProbabilityMap(size)};
+}
+
+}  // namespace
+
+Result compare(const LuminanceMap& test, const LuminanceMap& reference, const VelocityMap& velocity,
+               const Settings& settings) {
+  checkInputs(test, reference, velocity, settings);
+  if (areEqual(test, reference)) {
+    // What follows would give the same, later.
+    return noDifference(test.size());
+  }
+  const double ppd = settings.pixelsPerDegree;
+
+  // The retina's response, as contrast.
+  const double adaptation = adaptationLuminance(test, reference);
+  const ContrastMap testContrast = contrast(test, adaptation);
+  const ContrastMap referenceContrast = contrast(reference, adaptation);
+
+  // Frequencies.
+  const Layout layout = layoutOf(test.size(), ppd);
+  const FourierPlans plans(layout.padded);
+  const Spectrum testSpectrum = spectrumOf(testContrast, layout, plans);
+  const Spectrum referenceSpectrum = spectrumOf(referenceContrast, layout, plans);
+
+  // Channels (cortex filters and spatiovelocity CSF at the speed each of them sees), masked and summed.
+  ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum);
+  DifferenceSum differences(test.size());
+  for (int orientation = 0; orientation < kOrientations; ++orientation) {
+    const SpeedField speeds = speedField(velocity, test.size(), orientation);
+    for (int band = 1; band <= layout.bands; ++band) {
+      differences.add(bank.respond({band, orientation}, speeds), band);
+    }
+  }
+  const int baseband = layout.bands + 1;
+  const SpeedField speeds = speedField(velocity, test.size(), kUnoriented);
+  differences.add(bank.respond({baseband, kUnoriented}, speeds), baseband);
+
+  // Where, and how surely.
+  const Plane<float> pooled = pooledPowers(differences.powers(), ppd);
+  return {sharpJnd(differences.powers()), pooledJnd(pooled), detectionProbability(pooled)};
+}
+
+double percentVisible(const ProbabilityMap& probability, const Mask& excluded) {
+  if (!excluded.empty() && excluded.size() != probability.size()) {
+    reject("excluded pixels: expected ", probability.width(), " x ", probability.height(),
+           " pixels, as the probability map has, found ", excluded.width(), " x ", excluded.height());
+  }
+  std::size_t counted = 0;
+  std::size_t visible = 0;
+  const auto probabilities = probability.pixels();
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
+    if (excluded.empty() || excluded.pixels()[i] == 0) {
+      ++counted;
+      visible += probabilities[i] > kVisibleProbability ? 1u : 0u;
+    }
+  }
+  return counted == 0 ? 0.0 : 100.0 * static_cast<double>(visible) / static_cast<double>(counted);
+}
+
+}  // namespace promenade::aqm

@@ -1,0 +1,84 @@
+#include "aqm/pooling.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "aqm/gaussian.h"
+
+namespace promenade::aqm {
+namespace {
+
+constexpr float kExponent = 3.5f;
+/// Standard deviation of the pooling window, degrees.
+constexpr double kPoolingDegrees = 0.5;
+constexpr int kRowsPerBlock = 16;
+constexpr int kStripWidth = 256;
+
+template <class Map, class Function>
+Map mapped(const Plane<float>& plane, const Function& function) {
+  Map result(plane.width(), plane.height());
+  tbb::parallel_for(0, plane.height(), [&](int y) {
+    const auto to = result.row(y);
+    std::transform(plane.row(y), plane.row(y) + plane.width(), to.begin(), function);
+  });
+  return result;
+}
+
+float root(float power) {
+  return std::pow(power, 1.0f / kExponent);
+}
+
+}  // namespace
+
+JndMap sharpJnd(const Plane<float>& powers) {
+  return mapped<JndMap>(powers, root);
+}
+
+Plane<float> pooledPowers(const Plane<float>& powers, double pixelsPerDegree) {
+  const GaussianKernel kernel(kPoolingDegrees * pixelsPerDegree);
+  const auto area = static_cast<float>(2.0 * std::numbers::pi * kPoolingDegrees * kPoolingDegrees);
+  const int blocks = (powers.height() + kRowsPerBlock - 1) / kRowsPerBlock;
+
+  Plane<float> alongRows(powers.width(), powers.height());
+  tbb::parallel_for(0, blocks, [&](int block) {
+    ExtendedRow row(powers.width(), kernel.radius(), Border::kZero);
+    const int end = std::min((block + 1) * kRowsPerBlock, powers.height());
+    for (int y = block * kRowsPerBlock; y < end; ++y) {
+      std::copy_n(powers.row(y), powers.width(), row.samples());
+      row.extend();
+      kernel.weightedSum(row.taps(), alongRows.row(y), alongRows.stride());
+    }
+  });
+
+  Plane<float> pooled(powers.width(), powers.height());
+  const Plane<float> zeroRow(powers.width(), 1);
+  tbb::parallel_for(0, blocks, [&](int block) {
+    const int end = std::min((block + 1) * kRowsPerBlock, powers.height());
+    for (int x = 0; x < pooled.stride(); x += kStripWidth) {
+      const int count = std::min(kStripWidth, pooled.stride() - x);
+      for (int y = block * kRowsPerBlock; y < end; ++y) {
+        auto taps = columnTaps(alongRows, y, kernel.radius(), Border::kZero, zeroRow.row(0));
+        for (const float*& tap : taps) {
+          tap += x;
+        }
+        float* to = pooled.row(y) + x;
+        kernel.weightedSum(taps.data(), to, count);
+        std::transform(to, to + count, to, [area](float value) { return area * value; });
+      }
+    }
+  });
+  return pooled;
+}
+
+JndMap pooledJnd(const Plane<float>& pooled) {
+  return mapped<JndMap>(pooled, root);
+}
+
+ProbabilityMap detectionProbability(const Plane<float>& pooled) {
+  return mapped<ProbabilityMap>(pooled, [](float power) { return -std::expm1(-power); });
+}
+
+}  // namespace promenade::aqm

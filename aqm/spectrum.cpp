@@ -1,0 +1,48 @@
+#include "aqm/spectrum.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace promenade::aqm {
+namespace {
+
+/// Rows of the spectrum that are transposed together: eight complex floats are one cache line.
+constexpr int kRowsPerBlock = 8;
+
+}  // namespace
+
+Spectrum spectrumOf(const ContrastMap& contrast, const Layout& layout, const FourierPlans& plans) {
+  const int width = layout.padded.width;
+  const int height = layout.padded.height;
+  const int columns = layout.spectrumColumns();
+
+  Spectrum transposed(height, columns);
+  const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
+  tbb::parallel_for(0, blocks, [&](int block) {
+    Plane<float> extended(width, 1);
+    Plane<std::complex<float>> rows(columns, kRowsPerBlock);
+    const int begin = block * kRowsPerBlock;
+    const int count = std::min(kRowsPerBlock, height - begin);
+    for (int i = 0; i < count; ++i) {
+      const auto source = contrast.row(reflected(begin + i - layout.margin, layout.image.height));
+      for (int x = 0; x < width; ++x) {
+        extended.row(0)[x] =
+            source[static_cast<std::size_t>(reflected(x - layout.margin, layout.image.width))];
+      }
+      plans.forwardRow(extended.row(0), rows.row(i));
+    }
+    for (int ix = 0; ix < columns; ++ix) {
+      for (int i = 0; i < count; ++i) {
+        transposed.row(ix)[begin + i] = rows.row(i)[ix];
+      }
+    }
+  });
+
+  Spectrum spectrum(height, columns);
+  tbb::parallel_for(0, columns, [&](int ix) { plans.forwardColumn(transposed.row(ix), spectrum.row(ix)); });
+  return spectrum;
+}
+
+}  // namespace promenade::aqm
