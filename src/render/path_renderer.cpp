@@ -1,0 +1,221 @@
+#include "src/render/path_renderer.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "src/core/errors.h"
+#include "src/render/item_traits.h"
+#include "src/render/path_tracer.h"
+
+namespace promenade::render {
+namespace {
+
+constexpr int kTile = 16;  ///< samples along the edge of a task
+constexpr int kBlock = 4;  ///< samples along the edge of a packet
+static_assert(kBlock * kBlock == EmbreeScene::kPacket);
+
+struct SamplePosition {
+  int x = 0, y = 0;
+};
+
+/// Samples of one tile in packets of neighbours.
+class TileSamples {
+ public:
+  template <class Selected>
+  TileSamples(Size size, int tileX, int tileY, const Selected& selected) {
+    const int right = std::min(size.width, (tileX + 1) * kTile);
+    const int bottom = std::min(size.height, (tileY + 1) * kTile);
+    for (int blockY = tileY * kTile; blockY < bottom; blockY += kBlock) {
+      for (int blockX = tileX * kTile; blockX < right; blockX += kBlock) {
+        for (int y = blockY; y < std::min(bottom, blockY + kBlock); ++y) {
+          for (int x = blockX; x < std::min(right, blockX + kBlock); ++x) {
+            if (selected(x, y)) positions_[static_cast<std::size_t>(count_++)] = {x, y};
+          }
+        }
+      }
+    }
+  }
+
+  /// visit(positions, rays, hits, count) for each packet.
+  template <class Visit>
+  void castPrimaryRays(const EmbreeScene& embree, const Camera& camera, const Visit& visit) const {
+    std::array<Ray, EmbreeScene::kPacket> rays;
+    for (int first = 0; first < count_; first += EmbreeScene::kPacket) {
+      const int count = std::min(count_ - first, EmbreeScene::kPacket);
+      const SamplePosition* positions = &positions_[static_cast<std::size_t>(first)];
+      for (int i = 0; i < count; ++i) {
+        const glm::dvec2 centre(positions[i].x + 0.5, positions[i].y + 0.5);
+        rays[static_cast<std::size_t>(i)].origin = glm::vec3(camera.pose().eye);
+        rays[static_cast<std::size_t>(i)].direction = glm::vec3(camera.direction(centre));
+      }
+      const auto hits = embree.intersect(rays, count);
+      for (int i = 0; i < count; ++i) {
+        visit(positions[i], rays[static_cast<std::size_t>(i)], hits[static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  std::array<SamplePosition, kTile * kTile> positions_;
+  int count_ = 0;
+};
+
+class PathRenderer final : public Renderer {
+ public:
+  PathRenderer(const Scene& scene, const PathSettings& settings)
+      : settings_(settings),
+        tracer_(scene, settings),
+        traits_(itemTraits(scene)),
+        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
+
+  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
+    Visibility result = emptyVisibility(camera);
+    forEachTile(camera.size(), [&](int tileX, int tileY) {
+      const TileSamples samples(camera.size(), tileX, tileY, [](int, int) { return true; });
+      samples.castPrimaryRays(
+          tracer_.embree(), camera,
+          [&](SamplePosition p, const Ray& ray, const Hit& hit) { record(p, ray, hit, result); });
+      visibilityRays_ += static_cast<std::uint64_t>(samples.count());
+    });
+    return result;
+  }
+
+  void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const override {
+    const Size size = frame.visibility.camera.size();
+    assert(mask.size() == size && frame.diffuse.size() == size && frame.viewDependent.size() == size &&
+           frame.source.size() == size);
+    forEachTile(size, [&](int tileX, int tileY) {
+      const TileSamples samples(size, tileX, tileY, [&](int x, int y) { return mask(x, y) != 0; });
+      shadeTile(samples, frame.visibility.camera, frameIndex,
+                [&](SamplePosition p, const Ray&, const Hit&, const SampleRadiance& radiance) {
+                  frame.diffuse(p.x, p.y) = radiance.diffuse;
+                  frame.viewDependent(p.x, p.y) = radiance.viewDependent;
+                  frame.source(p.x, p.y) = source;
+                });
+    });
+  }
+
+  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
+    const Size size = camera.size();
+    Frame frame;
+    frame.visibility = emptyVisibility(camera);
+    frame.diffuse = RadianceMap(size);
+    frame.viewDependent = RadianceMap(size);
+    frame.source = SourceMap(size, SampleSource::kTraced);
+    forEachTile(size, [&](int tileX, int tileY) {
+      const TileSamples samples(size, tileX, tileY, [](int, int) { return true; });
+      shadeTile(samples, camera, frameIndex,
+                [&](SamplePosition p, const Ray& ray, const Hit& hit, const SampleRadiance& radiance) {
+                  record(p, ray, hit, frame.visibility);
+                  frame.diffuse(p.x, p.y) = radiance.diffuse;
+                  frame.viewDependent(p.x, p.y) = radiance.viewDependent;
+                });
+    });
+    return frame;
+  }
+
+  [[nodiscard]] ItemTraits traits(ItemId item) const override {
+    if (item == kNoItem || item > traits_.size()) return {};
+    return traits_[item - 1];
+  }
+
+  [[nodiscard]] RayCounts rayCounts() const override {
+    return {visibilityRays_.load(), primaryRays_.load(), scatteredRays_.load(), shadowRays_.load()};
+  }
+
+ private:
+  static Visibility emptyVisibility(const Camera& camera) {
+    Visibility v;
+    v.camera = camera;
+    v.depth = DepthMap(camera.size(), std::numeric_limits<float>::infinity());
+    v.normal = NormalMap(camera.size(), glm::vec3(0.0f));
+    v.item = ItemBuffer(camera.size(), kNoItem);
+    return v;
+  }
+
+  /// The primary direction has component 1 along the view axis, so distances along the ray are depths.
+  void record(SamplePosition p, const Ray& ray, const Hit& hit, Visibility& visibility) const {
+    if (!hit.found()) return;
+    visibility.depth(p.x, p.y) = hit.distance;
+    visibility.normal(p.x, p.y) = tracer_.surfaces().facingNormal(hit, ray.direction);
+    visibility.item(p.x, p.y) = hit.instance + 1;
+  }
+
+  template <class Store>
+  void shadeTile(const TileSamples& samples, const Camera& camera, int frameIndex, const Store& store) const {
+    if (samples.count() == 0) return;
+    PathRays rays;
+    const float pixelWidth = static_cast<float>(1.0 / camera.focalPixels());
+    samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const Ray& ray, const Hit& hit) {
+      SampleRadiance radiance;
+      if (hit.found()) {
+        Sampler::Stream stream;
+        stream.pixel = {p.x, p.y};
+        stream.frame = static_cast<std::uint32_t>(frameIndex);
+        stream.seed = static_cast<std::uint32_t>(settings_.seed ^ (settings_.seed >> 32));
+        radiance = tracer_.shade(hit, ray, pixelWidth, stream, rays);
+      } else {
+        radiance.diffuse = tracer_.background(glm::normalize(ray.direction));
+      }
+      store(p, ray, hit, radiance);
+    });
+    primaryRays_ += static_cast<std::uint64_t>(samples.count());
+    scatteredRays_ += rays.scattered;
+    shadowRays_ += rays.shadow;
+  }
+
+  template <class Work>
+  void forEachTile(Size size, const Work& work) const {
+    const int columns = (size.width + kTile - 1) / kTile;
+    const int rows = (size.height + kTile - 1) / kTile;
+    arena_.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
+          [&](const tbb::blocked_range2d<int>& range) {
+            for (int y = range.rows().begin(); y < range.rows().end(); ++y) {
+              for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
+                if (settings_.checkpoint) settings_.checkpoint();
+                work(x, y);
+              }
+            }
+          },
+          tbb::simple_partitioner());
+    });
+  }
+
+  PathSettings settings_;
+  PathTracer tracer_;
+  std::vector<ItemTraits> traits_;
+  mutable tbb::task_arena arena_;
+  mutable std::atomic<std::uint64_t> visibilityRays_{0}, primaryRays_{0}, scatteredRays_{0}, shadowRays_{0};
+};
+
+void requireSetting(bool good, const std::string& what) {
+  if (!good) throw InputError("path renderer settings", what);
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings) {
+  requireSetting(settings.pathsPerSample >= 1,
+                 "pathsPerSample: expected at least 1, found " + std::to_string(settings.pathsPerSample));
+  requireSetting(settings.maxBounces >= 0,
+                 "maxBounces: expected at least 0, found " + std::to_string(settings.maxBounces));
+  requireSetting(settings.threads >= 0,
+                 "threads: expected at least 0, found " + std::to_string(settings.threads));
+  requireSetting(settings.indirectLimit > 0.0f, "indirectLimit: expected more than 0");
+  return std::make_unique<PathRenderer>(scene, settings);
+}
+
+}  // namespace promenade::render

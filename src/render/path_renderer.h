@@ -1,0 +1,37 @@
+#pragma once
+// The reference renderer: unbiased path tracing on Embree. Light transport: Kajiya, The Rendering Equation
+// (1986); multiple importance sampling: Veach, Robust Monte Carlo Methods for Light Transport Simulation
+// (1997), ch. 9.
+//
+// Every sample has exactly one primary hit, at the sample's centre; `pathsPerSample` paths start from that
+// hit. What a single-sided material (glTF doubleSided == false) looks like from behind: a solid surface like
+// its front, but it does not shine there. (The common convention of path tracers; culling would open closed
+// rooms to the sky.)
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "src/core/renderer.h"
+#include "src/scene/scene.h"
+
+namespace promenade::render {
+
+struct PathSettings {
+  int pathsPerSample = 16;  ///< >= 1; a power of two stratifies best
+  int maxBounces = 8;       ///< scatterings along a path, >= 0; 0: emission only, 1: direct light
+  std::uint64_t seed = 0;
+  int threads = 0;  ///< 0 = all
+  /// Most that one path may add to a sample after its first scattering, per channel. Finite values trade
+  /// energy for the absence of bright dots (biased).
+  float indirectLimit = std::numeric_limits<float>::infinity();
+  /// Called now and then from any thread during long work; may throw Interrupted, which ends the call
+  /// cleanly.
+  std::function<void()> checkpoint = {};
+};
+
+/// `scene` must outlive the renderer and must not change. Throws CannotContinue if memory runs out.
+[[nodiscard]] std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings);
+
+}  // namespace promenade::render

@@ -1,0 +1,374 @@
+#include "src/render/path_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "src/render/ray_offset.h"
+
+namespace promenade::render {
+namespace {
+
+constexpr int kFirstRoulette = 3;  ///< scatterings before Russian roulette may end a path
+constexpr float kLeastSurvival = 0.05f;
+constexpr int kMostPassages = 64;  ///< straight through panes and blended surfaces, along one path
+/// Width of the pencil of rays after scattering with density pdf, per unit distance: a fraction of the solid
+/// angle 1/pdf that one sample stands for. Only texture filtering depends on it.
+constexpr float kSpreadOfScattering = 0.15f;
+
+float largest(const Rgb& c) {
+  return std::max(c.x, std::max(c.y, c.z));
+}
+bool isBlack(const Rgb& c) {
+  return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
+}
+
+/// Power heuristic with exponent 2 (Veach 1997, eq. 9.13) for one sample of each strategy.
+float powerHeuristic(float pdf, float otherPdf) {
+  const float ratio = otherPdf / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+struct Basis {
+  glm::vec3 x, y, z;
+  explicit Basis(const glm::vec3& normal) : z(normal) {
+    const float sign = std::copysign(1.0f, z.z);
+    const float a = -1.0f / (sign + z.z);
+    const float b = z.x * z.y * a;
+    x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
+    y = {b, sign + z.y * z.y * a, -z.y};
+  }
+  [[nodiscard]] glm::vec3 toLocal(const glm::vec3& w) const {
+    return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, z)};
+  }
+  [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
+};
+
+/// Akenine-Moeller et al., Improved Shader and Texture Level of Detail Using Ray Cones (JCGT 10(1), 2021),
+/// sec. 3.
+Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, float width) {
+  const float cosine = std::max(std::abs(glm::dot(normal, direction)), 1e-3f);
+  const glm::vec3 inPlane = direction - glm::dot(normal, direction) * normal;
+  const float length = glm::length(inPlane);
+  const glm::vec3 along = length > 1e-4f ? inPlane / length : Basis(normal).x;
+  return {along * (width / cosine), glm::cross(normal, along) * width};
+}
+
+/// KHR_materials_volume: transmittance over a distance d is attenuationColor ^ (d / attenuationDistance).
+Rgb volumeTransmittance(const Material& material, float distance) {
+  if (!std::isfinite(material.attenuationDistanceMetres) || material.attenuationDistanceMetres <= 0.0f)
+    return Rgb(1.0f);
+  return glm::pow(glm::max(material.attenuationColor, Rgb(1e-6f)),
+                  Rgb(distance / material.attenuationDistanceMetres));
+}
+
+Ray shadowRay(const glm::vec3& origin, const LightSample& light) {
+  Ray ray;
+  ray.origin = origin;
+  ray.direction = light.atInfinity ? light.direction : light.target - origin;
+  if (!light.atInfinity) ray.farthest = 1.0f - 1e-5f;
+  return ray;
+}
+
+}  // namespace
+
+struct PathTracer::Vertex {
+  glm::vec3 position;
+  glm::vec3 facing;  ///< geometric normal on the side the path came from
+  Basis basis;       ///< z: the shading normal, on that side
+  glm::vec3 wo;      ///< where the path came from, local
+  SurfaceLook look;
+  std::uint32_t instance;
+  int material;
+
+  [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
+    return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
+  }
+  /// Shading and geometric normal must agree on whether light is reflected or transmitted, or light leaks.
+  [[nodiscard]] bool agree(const glm::vec3& local, const glm::vec3& world) const {
+    return local.z * glm::dot(world, facing) > 0.0f;
+  }
+  /// The only lobe that leaves light its direction.
+  [[nodiscard]] bool isStraightThrough(const BsdfSample& s) const {
+    return s.delta && look.bsdf.thinWalled && s.wi.z < 0.0f;
+  }
+};
+
+/// A path between two vertices.
+struct PathTracer::Carried {
+  glm::vec3 origin;
+  glm::vec3 direction;  ///< unit
+  Rgb throughput{1.0f};
+  float importance = 1.0f;  ///< of the whole path before, for Russian roulette
+  // The last vertex that changed the direction, for multiple importance sampling: passing straight through a
+  // pane changes neither the density of the direction nor the light that next event estimation at that vertex
+  // could have chosen.
+  glm::vec3 scatterPosition;
+  float scatterPdf = 0.0f;
+  bool scatterDelta = true;
+  float environmentShare =
+      0.0f;  ///< expected samples of the environment and of the other lights at that vertex
+  float localShare = 0.0f;
+  float width = 0.0f;  ///< of the pencil of rays at the origin
+  float spread = 0.0f;
+  int medium = -1;  ///< material of the solid that the path is in
+  int bounces = 0;
+};
+
+/// Shadow rays of the paths from one primary hit: they share their origin, so they travel in packets.
+class PathTracer::ShadowBatch {
+ public:
+  ShadowBatch(const EmbreeScene& embree, SampleRadiance& sum) : embree_(embree), sum_(sum) {}
+
+  void add(const Ray& ray, const Rgb& diffuse, const Rgb& viewDependent) {
+    const auto i = static_cast<std::size_t>(count_++);
+    rays_[i] = ray;
+    diffuse_[i] = diffuse;
+    viewDependent_[i] = viewDependent;
+    if (count_ == EmbreeScene::kPacket) flush();
+  }
+  void flush() {
+    if (count_ == 0) return;
+    const auto transmittance = embree_.transmittance(rays_, count_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+      sum_.diffuse += diffuse_[i] * transmittance[i];
+      sum_.viewDependent += viewDependent_[i] * transmittance[i];
+    }
+    count_ = 0;
+  }
+
+ private:
+  const EmbreeScene& embree_;
+  SampleRadiance& sum_;
+  int count_ = 0;
+  std::array<Ray, EmbreeScene::kPacket> rays_;
+  std::array<Rgb, EmbreeScene::kPacket> diffuse_;
+  std::array<Rgb, EmbreeScene::kPacket> viewDependent_;
+};
+
+PathTracer::PathTracer(const Scene& scene, const PathSettings& settings)
+    : settings_(settings),
+      surfaces_(scene),
+      embree_(surfaces_, settings.threads),
+      lights_(surfaces_, 0.5f * glm::length(embree_.bounds().upper - embree_.bounds().lower)) {
+  if (scene.environment) environment_.emplace(*scene.environment);
+}
+
+Rgb PathTracer::background(const glm::vec3& unitDirection) const {
+  return environment_ ? environment_->radiance(unitDirection) : Rgb(0.0f);
+}
+
+PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& origin,
+                                        const glm::vec3& unitDirection, float width) const {
+  static_cast<void>(origin);
+  const SurfacePoint point = surfaces_.pointAt(hit, unitDirection);
+  const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
+  SurfaceLook look = surfaces_.lookAt(point, unitDirection, projectPencil(facing, unitDirection, width));
+  const Basis basis(look.normal);
+  return {point.position, facing, basis, basis.toLocal(-unitDirection), look, hit.instance, point.material};
+}
+
+/// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen; a share below 1 is the
+/// probability that the kind of light is asked at all.
+template <class Add>
+void PathTracer::sampleLights(const Vertex& vertex, Sampler& sampler, float environmentShare,
+                              float localShare, const Add& add) const {
+  bool askEnvironment = environmentShare > 0.0f;
+  bool askLocal = localShare > 0.0f;
+  if (askEnvironment && askLocal && environmentShare + localShare <= 1.0f) {
+    askEnvironment = sampler.next1D() < environmentShare;
+    askLocal = !askEnvironment;
+  }
+  const auto weigh = [&](const LightSample& light, float share) {
+    const glm::vec3 wi = vertex.basis.toLocal(light.direction);
+    if (!vertex.agree(wi, light.direction)) return;
+    const BsdfValue f = evaluateBsdf(vertex.look.bsdf, vertex.wo, wi);
+    if (isBlack(f.diffuse + f.viewDependent)) return;
+    const float pdf = light.pdf * share;
+    const float weight = (light.delta ? 1.0f : powerHeuristic(pdf, f.pdf)) / pdf;
+    const Rgb arriving = light.radiance * weight;
+    add(shadowRay(vertex.originToward(light.direction), light), f.diffuse * arriving,
+        f.viewDependent * arriving);
+  };
+  if (askEnvironment) {
+    const EnvironmentSample s = environment_->sample(sampler.next2D());
+    if (s.pdf > 0.0f && !isBlack(s.radiance)) {
+      LightSample light;
+      light.direction = s.direction;
+      light.atInfinity = true;
+      light.radiance = s.radiance;
+      light.pdf = s.pdf;
+      weigh(light, environmentShare);
+    }
+  }
+  if (askLocal) {
+    const float choose = sampler.next1D();
+    const std::optional<LightSample> light = lights_.sample(vertex.position, choose, sampler.next2D());
+    if (light && light->pdf > 0.0f) weigh(*light, localShare);
+  }
+}
+
+Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
+  Rgb sum(0.0f);
+  const auto add = [&](Rgb radiance, int bounces) {
+    if (bounces > 1) {
+      const float most = largest(radiance);
+      if (most > settings_.indirectLimit) radiance *= settings_.indirectLimit / most;
+    }
+    sum += radiance;
+  };
+  const float laterShare = lights_.empty() || !environment_ ? 1.0f : 0.5f;
+  for (int passages = 0; passages < kMostPassages;) {
+    Ray ray;
+    ray.origin = path.origin;
+    ray.direction = path.direction;
+    const Hit hit = embree_.intersect(ray);
+    ++rays.scattered;
+    if (!hit.found()) {
+      if (environment_) {
+        const float weight =
+            path.scatterDelta
+                ? 1.0f
+                : powerHeuristic(path.scatterPdf, environment_->pdf(path.direction) * path.environmentShare);
+        add(path.throughput * environment_->radiance(path.direction) * weight, path.bounces);
+      }
+      break;
+    }
+    if (path.medium >= 0) {
+      path.throughput *= volumeTransmittance(
+          surfaces_.scene().materials[static_cast<std::size_t>(path.medium)], hit.distance);
+    }
+    path.width += path.spread * hit.distance;
+    const Vertex vertex = vertexAt(hit, path.origin, path.direction, path.width);
+    if (vertex.look.alpha < 1.0f && sampler.next1D() >= vertex.look.alpha) {
+      path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+      ++passages;
+      continue;
+    }
+    if (!isBlack(vertex.look.emission)) {
+      float weight = 1.0f;
+      if (!path.scatterDelta && !vertex.look.unlit) {
+        const float distance = glm::length(vertex.position - path.scatterPosition);
+        const float lightPdf =
+            lights_.pdf(hit.instance, hit.triangle, path.direction, distance) * path.localShare;
+        weight = powerHeuristic(path.scatterPdf, lightPdf);
+      }
+      add(path.throughput * vertex.look.emission * weight, path.bounces);
+    }
+    if (vertex.look.unlit || path.bounces >= settings_.maxBounces) break;
+
+    const float environmentShare = environment_ ? laterShare : 0.0f;
+    const float localShare = lights_.empty() ? 0.0f : laterShare;
+    sampleLights(vertex, sampler, environmentShare, localShare,
+                 [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
+                   ++rays.shadow;
+                   add(path.throughput * (diffuse + viewDependent) * embree_.transmittance(shadow),
+                       path.bounces + 1);
+                 });
+
+    const float choose = sampler.next1D();
+    const BsdfSample s = sampleBsdf(vertex.look.bsdf, vertex.wo, choose, sampler.next2D());
+    const Rgb scattered = s.diffuse + s.viewDependent;
+    if (!(s.pdf > 0.0f) || isBlack(scattered)) break;
+    if (vertex.isStraightThrough(s)) {
+      path.throughput *= scattered;
+      path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+      ++passages;
+      continue;
+    }
+    const glm::vec3 direction = glm::normalize(vertex.basis.toWorld(s.wi));
+    if (!vertex.agree(s.wi, direction)) break;
+    path.throughput *= scattered;
+    ++path.bounces;
+    if (path.bounces >= kFirstRoulette) {
+      const float survival = std::clamp(largest(path.throughput) * path.importance, kLeastSurvival, 1.0f);
+      if (sampler.next1D() >= survival) break;
+      path.throughput /= survival;
+    }
+    if (s.wi.z < 0.0f && !vertex.look.bsdf.thinWalled) {
+      path.medium = vertex.look.bsdf.insideMaterial ? -1 : vertex.material;
+    }
+    path.origin = vertex.originToward(direction);
+    path.direction = direction;
+    path.scatterPosition = vertex.position;
+    path.scatterPdf = s.pdf;
+    path.scatterDelta = s.delta;
+    path.environmentShare = environmentShare;
+    path.localShare = localShare;
+    if (!s.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(s.pdf));
+  }
+  return sum;
+}
+
+SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixelWidth,
+                                 const Sampler::Stream& stream, PathRays& rays) const {
+  const float length = glm::length(primary.direction);
+  const glm::vec3 direction = primary.direction / length;
+  const float width = pixelWidth * hit.distance;
+  const Vertex vertex = vertexAt(hit, primary.origin, direction, width);
+  const SurfaceLook& look = vertex.look;
+
+  SampleRadiance sum;
+  if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
+
+  const int count = settings_.pathsPerSample;
+  const float environmentShare = environment_ ? 1.0f : 0.0f;
+  const float localShare = lights_.empty() ? 0.0f : 1.0f;
+  ShadowBatch shadows(embree_, sum);
+  for (int i = 0; i < count; ++i) {
+    Sampler sampler(stream, static_cast<std::uint32_t>(i));
+    Carried next;
+    next.width = width;
+    next.spread = pixelWidth / length;
+    if (look.alpha < 1.0f && sampler.next1D() >= look.alpha) {
+      next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+      next.direction = direction;
+      sum.viewDependent += follow(next, sampler, rays);
+      continue;
+    }
+    sum.diffuse += look.emission;
+    if (look.unlit || settings_.maxBounces < 1) continue;
+
+    sampleLights(vertex, sampler, environmentShare, localShare,
+                 [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
+                   ++rays.shadow;
+                   shadows.add(shadow, diffuse, viewDependent);
+                 });
+
+    const float choose = sampler.next1D();
+    const BsdfSample s = sampleBsdf(look.bsdf, vertex.wo, choose, sampler.next2D());
+    const Rgb scattered = s.diffuse + s.viewDependent;
+    if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
+    if (vertex.isStraightThrough(s)) {
+      next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+      next.direction = direction;
+    } else {
+      const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
+      if (!vertex.agree(s.wi, world)) continue;
+      next.origin = vertex.originToward(world);
+      next.direction = world;
+      next.scatterPosition = vertex.position;
+      next.scatterPdf = s.pdf;
+      next.scatterDelta = s.delta;
+      next.environmentShare = environmentShare;
+      next.localShare = localShare;
+      next.bounces = 1;
+      if (s.wi.z < 0.0f && !look.bsdf.thinWalled)
+        next.medium = look.bsdf.insideMaterial ? -1 : vertex.material;
+      if (!s.delta) next.spread = std::max(next.spread, kSpreadOfScattering / std::sqrt(s.pdf));
+    }
+    next.importance = largest(scattered);
+    const Rgb arriving = follow(next, sampler, rays);
+    sum.diffuse += s.diffuse * arriving;
+    sum.viewDependent += s.viewDependent * arriving;
+  }
+  shadows.flush();
+  const float each = 1.0f / static_cast<float>(count);
+  return {sum.diffuse * each, sum.viewDependent * each};
+}
+
+}  // namespace promenade::render
