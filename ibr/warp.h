@@ -12,29 +12,44 @@ namespace promenade::ibr {
 enum class Validity : std::uint8_t {
   kValid = 0,
   kOutside,       ///< the source does not cover this direction
-  kOccluded,      ///< the source sees another surface there
+  kOccluded,      ///< the source sees another surface there, or this one from behind
   kUndersampled,  ///< the source sampled the surface too coarsely (footprint above the limit)
+  kNotTraced,     ///< the source has this surface there, but warped itself: a warped sample is never a source
+  kNotWanted,     ///< outside the mask of samples asked for
 };
 using ValidityMap = Map<struct ValidityTag, Validity>;
 
 /// Source samples as seen from the target, at the target's sample resolution.
 struct Warped {
-  RadianceMap diffuse;
-  RadianceMap viewDependent;
-  DepthMap depth;                                              ///< of the target surface
-  ItemBuffer item;                                             ///< of the target surface
-  ValidityMap validity;                                        ///< radiance is meaningful only where kValid
-  Map<struct SourcePositionTag, glm::vec2> sourcePosition;     ///< pixels in the source
-  Map<struct FootprintTag, float> footprint;                   ///< surface area of a source sample over that of the target sample
+  RadianceMap diffuse;        ///< 0 where not valid
+  RadianceMap viewDependent;  ///< 0 where not valid
+  DepthMap depth;             ///< of the target surface
+  ItemBuffer item;            ///< of the target surface
+  ValidityMap validity;       ///< radiance is meaningful only where kValid
+  /// Pixels in the source; NaN behind its eye.
+  Map<struct SourcePositionTag, glm::vec2> sourcePosition;
+  /// Surface area of a source sample over that of the target sample (for background: solid angles). 1 for
+  /// equal cameras; +inf where the source cannot see the surface from its front.
+  Map<struct FootprintTag, float> footprint;
+  double footprintLimit =
+      2.5;  ///< of the settings it was made with: as a footprint nears it, blend() fades it out
 };
 
 struct WarpSettings {
-  /// A target sample is valid only if the source sample's area on the surface is at most this many times its own.
+  /// A target sample is valid only if the source sample's area on the surface is at most this many times its
+  /// own. > 0.
   double footprintLimit = 2.5;
 };
 
-/// Fetches each target sample from `source` (ray-traced samples only: a warped sample is never a source).
-/// `target` is the exact visibility of the target camera.
+/// Fetches each target sample from `source`, of whose samples only the ray-traced ones count (kTraced,
+/// kTracedHole, kTracedItem). `target` is the exact visibility of the target camera; the two cameras may
+/// differ in everything, resolution too. Where the source has the same camera and the same surface, its
+/// radiance comes back bit for bit. What is seen through a transparent item, or mirrored in it, moves with
+/// the surface of that item: it is for the caller to trace such items again (ItemTraits). Throws InputError
+/// if a map is not of its camera's size.
 [[nodiscard]] Warped gatherWarp(const Frame& source, const Visibility& target, const WarpSettings& settings);
+/// The same for the samples that `wanted` (the size of the target) selects; the rest is kNotWanted.
+[[nodiscard]] Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
+                                const WarpSettings& settings);
 
 }  // namespace promenade::ibr

@@ -1,0 +1,105 @@
+#include "ibr/source_surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::ibr {
+namespace {
+
+// A crease: normals further apart than 45 degrees (and the rounding of an 8-sided column). Triangles of a
+// curved surface meet at less, edges of a box at more.
+constexpr float kCreaseCosine = 0.70f;
+// Smooth enough to be interpolated across 4 samples: 18 degrees from one sample to the next.
+constexpr float kSmoothCosine = 0.95f;
+// Rounding of the positions a renderer works with: 8 units in the last place of a float coordinate.
+constexpr double kRounding = 8.0 / (1 << 23);
+
+bool chordRunsAlong(const glm::vec3& chord, const glm::vec3& n, const glm::vec3& m, float tolerance) {
+  return std::abs(glm::dot(chord, n + m)) <= 2.0f * tolerance;
+}
+
+double largestCoordinate(const glm::dvec3& point) {
+  return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+}
+
+}  // namespace
+
+RayBasis::RayBasis(const Camera& camera)
+    : corner_(camera.direction({0.5, 0.5})),
+      right_(camera.direction({1.5, 0.5}) - camera.direction({0.5, 0.5})),
+      down_(camera.direction({0.5, 1.5}) - camera.direction({0.5, 0.5})) {}
+
+SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye)
+    : visibility_(source.visibility),
+      traced_(source.source),
+      rays_(source.visibility.camera),
+      halfSample_(static_cast<float>(0.5 / source.visibility.camera.focalPixels() + kRounding)),
+      rounding_(
+          static_cast<float>(kRounding * std::max(largestCoordinate(source.visibility.camera.pose().eye),
+                                                  largestCoordinate(otherEye)))),
+      smoothBlocks_(source.visibility.depth.size()) {
+  const Size size = smoothBlocks_.size();
+  // A cell is smooth if its 2x2 samples are linked around; a block if its 3x3 cells are.
+  Mask cells(size);
+  tbb::parallel_for(0, size.height - 1, [&](int y) {
+    const auto out = cells.row(y);
+    SurfacePoint left = pointOf(0, y);
+    SurfacePoint leftBelow = pointOf(0, y + 1);
+    const auto linked = [&](const SurfacePoint& p, const SurfacePoint& q) {
+      if (p.item != q.item) return false;
+      if (p.item == kNoItem) return true;
+      return glm::dot(p.normal, q.normal) >= kSmoothCosine &&
+             chordRunsAlong(q.fromSourceEye - p.fromSourceEye, p.normal, q.normal, p.tolerance);
+    };
+    bool tracedLeft = isTraced(0, y) && isTraced(0, y + 1);
+    bool linkedLeft = linked(left, leftBelow);
+    for (int x = 0; x + 1 < size.width; ++x) {
+      const SurfacePoint right = pointOf(x + 1, y);
+      const SurfacePoint rightBelow = pointOf(x + 1, y + 1);
+      const bool tracedRight = isTraced(x + 1, y) && isTraced(x + 1, y + 1);
+      const bool linkedRight = linked(right, rightBelow);
+      out[static_cast<std::size_t>(x)] = tracedLeft && tracedRight && linkedLeft && linkedRight &&
+                                         linked(left, right) && linked(leftBelow, rightBelow);
+      left = right;
+      leftBelow = rightBelow;
+      tracedLeft = tracedRight;
+      linkedLeft = linkedRight;
+    }
+  });
+  tbb::parallel_for(1, std::max(1, size.height - 2), [&](int y) {
+    const auto above = cells.row(y - 1);
+    const auto here = cells.row(y);
+    const auto below = cells.row(y + 1);
+    const auto out = smoothBlocks_.row(y);
+    for (std::size_t x = 1; x + 2 < out.size(); ++x) {
+      const auto column = [&](std::size_t i) { return above[i] & here[i] & below[i]; };
+      out[x] = static_cast<std::uint8_t>(column(x - 1) & column(x) & column(x + 1));
+    }
+  });
+}
+
+bool SourceSurface::isTraced(int x, int y) const {
+  const SampleSource source = traced_(x, y);
+  return source == SampleSource::kTraced || source == SampleSource::kTracedHole ||
+         source == SampleSource::kTracedItem;
+}
+
+SurfacePoint SourceSurface::pointOf(int x, int y) const {
+  const ItemId item = visibility_.item(x, y);
+  if (item == kNoItem) return {};
+  const float depth = visibility_.depth(x, y);
+  return {item, depth * rays_.through(x, y), visibility_.normal(x, y), tolerance(depth)};
+}
+
+bool SourceSurface::agrees(int x, int y, const SurfacePoint& point) const {
+  if (visibility_.item(x, y) != point.item) return false;
+  if (point.item == kNoItem) return true;
+  const glm::vec3& normal = visibility_.normal(x, y);
+  if (!(glm::dot(normal, point.normal) >= kCreaseCosine)) return false;
+  const glm::vec3 chord = visibility_.depth(x, y) * rays_.through(x, y) - point.fromSourceEye;
+  return chordRunsAlong(chord, normal, point.normal, point.tolerance);
+}
+
+}  // namespace promenade::ibr

@@ -1,0 +1,72 @@
+#pragma once
+// Does a sample of the source lie on the surface that the target sees? The question behind every validity.
+//
+// Two samples agree if they show one item, neither on the far side of a crease, and the chord between them
+// runs along the surface: |(S - P) . (nS + nP)| / 2 <= tolerance. On a plane the chord is perpendicular to
+// both normals; on a circle it is perpendicular to their sum, so a curved surface agrees with itself whatever
+// its curvature, where a distance from either tangent plane alone would grow with the square of the chord.
+// For a tessellated surface the remainder is at most half a chord times the angle between two triangles. The
+// tolerance is half the width of a source sample at that depth, across the line of sight: in depth it is 0.5
+// z / (f |n.r|), which follows the slope. What it confuses is closer together than the samples can tell.
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "src/core/frame.h"
+
+namespace promenade::ibr {
+
+/// Directions through the samples of a camera, linear in the image position, axis component 1, world axes.
+class RayBasis {
+ public:
+  explicit RayBasis(const Camera& camera);
+  /// Through the centre of sample (x, y).
+  [[nodiscard]] glm::vec3 through(int x, int y) const {
+    return corner_ + static_cast<float>(x) * right_ + static_cast<float>(y) * down_;
+  }
+
+ private:
+  glm::vec3 corner_;
+  glm::vec3 right_;
+  glm::vec3 down_;
+};
+
+/// A point the target sees, as the source would have to see it. For the background only `item` counts.
+struct SurfacePoint {
+  ItemId item = kNoItem;
+  glm::vec3 fromSourceEye{0.0f};  ///< world axes, metres
+  glm::vec3 normal{0.0f};
+  float tolerance = 0.0f;  ///< metres
+};
+
+/// The surfaces that the samples of a source frame lie on. Keeps references to the frame.
+class SourceSurface {
+ public:
+  /// `otherEye` is the eye of the target: coordinates far from the origin are rounded more coarsely.
+  SourceSurface(const Frame& source, const glm::dvec3& otherEye);
+
+  /// Tolerance for points at this depth of the source, metres.
+  [[nodiscard]] float tolerance(float sourceDepth) const { return rounding_ + halfSample_ * sourceDepth; }
+
+  [[nodiscard]] bool contains(int x, int y) const { return visibility_.depth.contains(x, y); }
+  /// Whether sample (x, y) was ray traced, and may be a source at all.
+  [[nodiscard]] bool isTraced(int x, int y) const;
+  /// Whether sample (x, y) shows the surface of `point`. Precondition: contains(x, y).
+  [[nodiscard]] bool agrees(int x, int y, const SurfacePoint& point) const;
+  /// Whether the 4x4 samples (x-1..x+2, y-1..y+2) are all traced and lie on one smooth surface.
+  [[nodiscard]] bool isSmoothBlock(int x, int y) const {
+    return smoothBlocks_.contains(x, y) && smoothBlocks_(x, y) != 0;
+  }
+
+ private:
+  [[nodiscard]] SurfacePoint pointOf(int x, int y) const;
+
+  const Visibility& visibility_;
+  const SourceMap& traced_;
+  RayBasis rays_;
+  float halfSample_;  ///< half the width of a sample at depth 1
+  float rounding_;
+  Mask smoothBlocks_;
+};
+
+}  // namespace promenade::ibr

@@ -1,0 +1,215 @@
+#include "ibr/blend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "src/core/errors.h"
+#include "tests/ibr/analytic_scene.h"
+
+namespace promenade::ibr::tests {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+Visibility copy(const Visibility& v) {
+  return {v.camera, v.depth.clone(), v.normal.clone(), v.item.clone()};
+}
+
+Visibility wall(Size size, float depth) {
+  return {cameraAt({0, 0, 0}, size, 10.0), DepthMap(size, depth), NormalMap(size, glm::vec3(0, 0, 1)),
+          ItemBuffer(size, 1U)};
+}
+
+Warped constant(Size size, float radiance, float depth, float footprint,
+                Validity validity = Validity::kValid) {
+  return {RadianceMap(size, Rgb(radiance)),
+          RadianceMap(size, Rgb(2.0f * radiance)),
+          DepthMap(size, depth),
+          ItemBuffer(size, 1U),
+          ValidityMap(size, validity),
+          decltype(Warped::sourcePosition)(size),
+          decltype(Warped::footprint)(size, footprint)};
+}
+
+float weightOfNext(float previousFootprint, float nextFootprint, double t) {
+  const Size size{1, 1};
+  const Blended b = blend(constant(size, 0.0f, 4.0f, previousFootprint),
+                          constant(size, 1.0f, 4.0f, nextFootprint), wall(size, 4.0f), t);
+  return b.frame.diffuse(0, 0).r;
+}
+
+template <class A, class B>
+bool sameBits(const A& a, const B& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+TEST(Blend, WeighsByTemporalDistanceWhereBothAreAsGood) {
+  for (const double t : {0.0, 0.125, 0.5, 0.75, 1.0}) {
+    EXPECT_FLOAT_EQ(weightOfNext(1.0f, 1.0f, t), static_cast<float>(t));
+    // Finer than the target is no better than as fine as the target.
+    EXPECT_FLOAT_EQ(weightOfNext(0.3f, 0.8f, t), static_cast<float>(t));
+  }
+}
+
+TEST(Blend, PrefersTheFinerFootprintAndFadesOutAtTheLimit) {
+  // Quality of footprint 1.25 under the limit 2.5: (0.8 - 0.4) / (1 - 0.4) = 2/3, of 1: 1. Half way the
+  // weights are 1 / (1 + 2/3) = 0.6 and 0.4.
+  EXPECT_FLOAT_EQ(weightOfNext(1.0f, 1.25f, 0.5), 0.4f);
+  EXPECT_FLOAT_EQ(weightOfNext(1.25f, 1.0f, 0.5), 0.6f);
+  EXPECT_FLOAT_EQ(weightOfNext(1.0f, 2.5f, 0.5), 0.0f);
+  EXPECT_NEAR(weightOfNext(1.0f, 2.499f, 0.5), 0.0f, 1e-3f);
+  // Both at the limit: neither is better.
+  EXPECT_FLOAT_EQ(weightOfNext(2.5f, 2.5f, 0.25), 0.25f);
+}
+
+TEST(Blend, HasWeightsThatAreContinuousInTime) {
+  // Footprints that change along the segment as in a dolly from 5 m to 4 m, the next keyframe at the end of
+  // it.
+  float before = 0.0f;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i / 1000.0;
+    const double z = 5.0 - t;
+    const float w = weightOfNext(static_cast<float>(25.0 / (z * z)), static_cast<float>(16.0 / (z * z)), t);
+    EXPECT_GE(w, before);
+    EXPECT_LT(w - before, 0.005f);
+    before = w;
+  }
+  EXPECT_EQ(before, 1.0f);
+}
+
+TEST(Blend, IsTheKeyframeBitForBitAtItsEnds) {
+  AnalyticScene scene;
+  scene.setBackground(waves(0.5))
+      .add(1, rectangle({-3, -1, -4}, {6, 0, 0}, {0, 3, 0}), stripes(0.1))
+      .add(2, sphere({-0.4, 0, -3}, 0.6), waves(0.6));
+  for (const Size size : {Size{1, 1}, Size{3, 2}, Size{41, 31}}) {
+    const Camera first = cameraAt({0, 0, 0}, size, 0.8 * size.height);
+    const Camera last = turnedCamera({0.3, 0.1, -0.2}, 0.05, 0, 0, size, 0.8 * size.height);
+    const Frame a = scene.render(first);
+    const Frame b = scene.render(last);
+    const Blended atFirst =
+        blend(gatherWarp(a, a.visibility, {}), gatherWarp(b, a.visibility, {}), copy(a.visibility), 0.0);
+    EXPECT_TRUE(sameBits(atFirst.frame.diffuse, a.diffuse));
+    EXPECT_TRUE(sameBits(atFirst.frame.viewDependent, a.viewDependent));
+    const Blended atLast =
+        blend(gatherWarp(a, b.visibility, {}), gatherWarp(b, b.visibility, {}), copy(b.visibility), 1.0);
+    EXPECT_TRUE(sameBits(atLast.frame.diffuse, b.diffuse));
+    EXPECT_TRUE(sameBits(atLast.frame.viewDependent, b.viewDependent));
+    for (const auto hole : atLast.holes.pixels()) EXPECT_EQ(hole, 0);
+    for (const auto source : atFirst.frame.source.pixels())
+      EXPECT_EQ(source, SampleSource::kWarpedFromPrevious);
+    for (const auto source : atLast.frame.source.pixels()) EXPECT_EQ(source, SampleSource::kWarpedFromNext);
+  }
+}
+
+TEST(Blend, TakesTheOnlyValidSourceAndMarksHoles) {
+  const Size size{2, 1};
+  Warped previous = constant(size, 0.2f, 4.0f, 1.0f);
+  Warped next = constant(size, 0.6f, 4.0f, 1.0f);
+  previous.validity(0, 0) = Validity::kOccluded;
+  previous.validity(1, 0) = Validity::kUndersampled;
+  next.validity(1, 0) = Validity::kOutside;
+  const Blended b = blend(previous, next, wall(size, 4.0f), 0.25);
+  EXPECT_EQ(b.frame.diffuse(0, 0), Rgb(0.6f));
+  EXPECT_EQ(b.frame.viewDependent(0, 0), Rgb(1.2f));
+  EXPECT_EQ(b.frame.source(0, 0), SampleSource::kWarpedFromNext);
+  EXPECT_EQ(b.holes(0, 0), 0);
+  EXPECT_EQ(b.frame.diffuse(1, 0), Rgb(0.0f));
+  EXPECT_NE(b.holes(1, 0), 0);
+  // A hole is not a source, until it is traced.
+  EXPECT_NE(b.frame.source(1, 0), SampleSource::kTraced);
+  // The mirror image in time.
+  const Blended mirrored = blend(next, previous, wall(size, 4.0f), 0.75);
+  EXPECT_EQ(mirrored.frame.source(0, 0), SampleSource::kWarpedFromPrevious);
+  EXPECT_TRUE(sameBits(mirrored.frame.diffuse, b.frame.diffuse));
+  EXPECT_TRUE(sameBits(mirrored.holes, b.holes));
+}
+
+TEST(Blend, TakesTheNearerSurfaceWhereTheDepthsDisagree) {
+  const Size size{1, 1};
+  // Half a sample at 4 m and 10 pixels of focal length is 0.2 m.
+  const auto radiance = [&](float before, float after) {
+    return blend(constant(size, 0.0f, before, 1.0f), constant(size, 1.0f, after, 1.0f), wall(size, 4.0f), 0.5)
+        .frame.diffuse(0, 0)
+        .r;
+  };
+  EXPECT_FLOAT_EQ(radiance(4.0f, 4.1f), 0.5f);
+  EXPECT_EQ(radiance(4.0f, 4.3f), 0.0f);
+  EXPECT_EQ(radiance(4.3f, 4.0f), 1.0f);
+  EXPECT_EQ(radiance(kInfinity, 4.0f), 1.0f);
+  EXPECT_EQ(radiance(4.0f, kInfinity), 0.0f);
+  EXPECT_FLOAT_EQ(radiance(kInfinity, kInfinity), 0.5f);
+}
+
+TEST(Blend, IsTheSameForBothDirectionsOfTime) {
+  AnalyticScene scene;
+  scene.add(1, rectangle({-3, -3, -4}, {6, 0, 0}, {0, 6, 0}), waves(0.4))
+      .add(2, sphere({0, 0, -2}, 0.3), waves(0.2));
+  const Size size{45, 33};
+  const Frame a = scene.render(cameraAt({0, 0, 0}, size, 30.0));
+  const Frame b = scene.render(cameraAt({0.4, 0, -0.3}, size, 30.0));
+  const Visibility middle = scene.visibility(cameraAt({0.1, 0, -0.1}, size, 30.0));
+  const Blended forth = blend(gatherWarp(a, middle, {}), gatherWarp(b, middle, {}), copy(middle), 0.25);
+  const Blended back = blend(gatherWarp(b, middle, {}), gatherWarp(a, middle, {}), copy(middle), 0.75);
+  EXPECT_TRUE(sameBits(forth.holes, back.holes));
+  for (std::size_t i = 0; i < size.area(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(forth.frame.diffuse.pixels()[i][c], back.frame.diffuse.pixels()[i][c], 1e-6f);
+    }
+  }
+}
+
+TEST(Blend, LeavesFewHolesBetweenTwoKeyframesAndComesCloseToTheTruth) {
+  AnalyticScene scene;
+  scene.add(1, rectangle({-9, -9, -4}, {18, 0, 0}, {0, 18, 0}), waves(0.5))
+      .add(2, rectangle({-0.3, -9, -2}, {0.6, 0, 0}, {0, 18, 0}), waves(0.4));
+  const Size size{120, 30};
+  const Frame a = scene.render(cameraAt({0, 0, 0}, size, 100.0));
+  const Frame b = scene.render(cameraAt({0.2, 0, 0}, size, 100.0));
+  const Frame truth = scene.render(cameraAt({0.1, 0, 0}, size, 100.0));
+  const Warped previous = gatherWarp(a, truth.visibility, {});
+  const Warped next = gatherWarp(b, truth.visibility, {});
+  const Blended middle = blend(previous, next, copy(truth.visibility), 0.5);
+  // What one source lost behind the column the other saw, and the same at the borders of the image.
+  int holes = 0;
+  Mask counts(size);
+  for (std::size_t i = 0; i < size.area(); ++i) {
+    holes += middle.holes.pixels()[i] != 0 ? 1 : 0;
+    counts.pixels()[i] = middle.holes.pixels()[i] == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(holes, 0);
+  EXPECT_GT(psnr(middle.frame.diffuse, truth.diffuse, counts), 55.0);
+}
+
+TEST(FillHoles, FillsOnlyWhatIsOpenAndWhatTheSourceHas) {
+  const Size size{3, 1};
+  Warped nothing = constant(size, 0.0f, 4.0f, 1.0f, Validity::kOccluded);
+  nothing.validity(0, 0) = Validity::kValid;
+  Warped more = constant(size, 0.7f, 4.0f, 1.0f);
+  more.validity(2, 0) = Validity::kNotTraced;
+  const Blended filled =
+      fillHoles(blend(nothing, nothing, wall(size, 4.0f), 0.5), more, SampleSource::kWarpedFromNext);
+  EXPECT_EQ(filled.frame.diffuse(0, 0), Rgb(0.0f));
+  EXPECT_EQ(filled.frame.diffuse(1, 0), Rgb(0.7f));
+  EXPECT_EQ(filled.frame.source(1, 0), SampleSource::kWarpedFromNext);
+  EXPECT_EQ(filled.holes(1, 0), 0);
+  EXPECT_NE(filled.holes(2, 0), 0);
+}
+
+TEST(Blend, RejectsWhatDoesNotFit) {
+  const Size size{4, 3};
+  const Warped good = constant(size, 0.5f, 4.0f, 1.0f);
+  EXPECT_THROW((void)blend(good, constant({4, 2}, 0.5f, 4.0f, 1.0f), wall(size, 4.0f), 0.5), InputError);
+  EXPECT_THROW((void)blend(good, good, wall({5, 3}, 4.0f), 0.5), InputError);
+  EXPECT_THROW((void)blend(good, good, wall(size, 4.0f), -0.1), InputError);
+  EXPECT_THROW((void)blend(good, good, wall(size, 4.0f), std::nan("")), InputError);
+}
+
+}  // namespace
+}  // namespace promenade::ibr::tests
