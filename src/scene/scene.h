@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/mat4x3.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -23,7 +23,8 @@ enum class Filter { kNearest, kLinear };
 /// How texels are to be read: sRGB-encoded colour, or plain numbers.
 enum class TexelEncoding { kSrgb, kLinear };
 
-/// A decoded image, 8 bits a channel, RGBA, origin top left. (16-bit images are rounded to 8 bits, with a warning.)
+/// A decoded image, 8 bits a channel, RGBA, origin top left. (16-bit images are rounded to 8 bits, with a
+/// warning.)
 struct TextureImage {
   std::string name;
   Image<std::array<std::uint8_t, 4>> texels;
@@ -50,28 +51,28 @@ struct Material {
   glm::vec4 baseColor{1.0f};
   std::optional<Texture> baseColorTexture;  // sRGB, A = alpha
   float metallic = 1.0f;
-  float roughness = 1.0f;  ///< perceptual; alpha of the microfacets is its square
+  float roughness = 1.0f;                           ///< perceptual; alpha of the microfacets is its square
   std::optional<Texture> metallicRoughnessTexture;  // G roughness, B metallic
   std::optional<Texture> normalTexture;
   float normalScale = 1.0f;
-  Rgb emission{0.0f};  ///< emissiveFactor * KHR_materials_emissive_strength
+  Rgb emission{0.0f};                      ///< emissiveFactor * KHR_materials_emissive_strength
   std::optional<Texture> emissionTexture;  // sRGB
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
-  bool unlit = false;  // KHR_materials_unlit: emits its base colour, reflects nothing
-  float ior = 1.5f;    // KHR_materials_ior
-  float transmission = 0.0f;  // KHR_materials_transmission
+  bool unlit = false;                          // KHR_materials_unlit: emits its base colour, reflects nothing
+  float ior = 1.5f;                            // KHR_materials_ior
+  float transmission = 0.0f;                   // KHR_materials_transmission
   std::optional<Texture> transmissionTexture;  // R
   float thickness = 0.0f;  // KHR_materials_volume; 0: thin-walled (light goes straight through)
   float attenuationDistanceMetres = std::numeric_limits<float>::infinity();
   Rgb attenuationColor{1.0f};
-  float specular = 1.0f;  // KHR_materials_specular
+  float specular = 1.0f;                   // KHR_materials_specular
   std::optional<Texture> specularTexture;  // A
   Rgb specularColor{1.0f};
   std::optional<Texture> specularColorTexture;  // sRGB
-  float clearcoat = 0.0f;  // KHR_materials_clearcoat
-  std::optional<Texture> clearcoatTexture;  // R
+  float clearcoat = 0.0f;                       // KHR_materials_clearcoat
+  std::optional<Texture> clearcoatTexture;      // R
   float clearcoatRoughness = 0.0f;
   std::optional<Texture> clearcoatRoughnessTexture;  // G
   std::optional<Texture> clearcoatNormalTexture;
@@ -81,7 +82,7 @@ struct Material {
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;   ///< unit; never empty (flat normals are generated where the file has none)
+  std::vector<glm::vec3> normals;  ///< unit; never empty (flat normals are generated where the file has none)
   std::vector<glm::vec4> tangents;  ///< xyz unit, w = handedness; generated where a normal map needs them
   std::array<std::vector<glm::vec2>, 2> texCoords;
   std::vector<glm::vec4> colors;  ///< linear, multiply the base colour
@@ -109,10 +110,10 @@ struct PunctualLight {
   float outerConeRadians = 0.7853982f;
 };
 
-/// Light from infinity: latitude-longitude radiance. World direction d is read at u = 0.5 + atan2(d.x, -d.z) / (2 pi),
-/// v = acos(d.y) / pi (the centre of the image looks toward -Z, its top toward +Y).
+/// Light from infinity: latitude-longitude radiance. World direction d is read at u = 0.5 + atan2(d.x, -d.z)
+/// / (2 pi), v = acos(d.y) / pi (the centre of the image looks toward -Z, its top toward +Y).
 struct Environment {
-  RadianceMap radiance;  ///< 1x1 for a uniform sky
+  RadianceMap radiance;          ///< 1x1 for a uniform sky
   double rotationRadians = 0.0;  ///< about +Y
 };
 
@@ -124,8 +125,9 @@ struct Scene {
   std::vector<TextureImage> images;
   std::vector<PunctualLight> lights;
   std::optional<Environment> environment;
-  std::vector<CameraAnimation> cameras;  ///< each camera at rest, then each camera under each animation that moves it
-  std::vector<std::string> warnings;     ///< one line each, said once
+  std::vector<CameraAnimation>
+      cameras;  ///< each camera at rest, then each camera under each animation that moves it
+  std::vector<std::string> warnings;  ///< one line each, said once
 };
 
 }  // namespace promenade

@@ -1,0 +1,40 @@
+#pragma once
+// Internal: mesh primitives to triangle meshes.
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "src/scene/accessors.h"
+#include "src/scene/scene.h"
+
+namespace promenade::scene {
+
+/// Builds each primitive once, when it is first placed.
+class MeshStore {
+ public:
+  /// `materials` are the file's, followed by the default material.
+  MeshStore(const Gltf& gltf, const Accessors& accessors, const std::vector<Material>& materials,
+            Budget& budget, Warnings& warnings)
+      : gltf_(gltf), accessors_(accessors), materials_(materials), budget_(budget), warnings_(warnings) {}
+
+  /// Indices in Scene::meshes of the primitives of the mesh that `node` shows, without those that hold no
+  /// triangles. Precondition: the node's mesh index is good. Throws InputError.
+  [[nodiscard]] std::vector<int> meshesOf(const tinygltf::Node& node);
+
+  [[nodiscard]] std::vector<Mesh> take() { return std::move(meshes_); }
+
+ private:
+  // Mesh, primitive, morph target weights.
+  using Key = std::tuple<int, std::size_t, std::vector<double>>;
+
+  const Gltf& gltf_;
+  const Accessors& accessors_;
+  const std::vector<Material>& materials_;
+  Budget& budget_;
+  Warnings& warnings_;
+  std::map<Key, int> built_;
+  std::vector<Mesh> meshes_;
+};
+
+}  // namespace promenade::scene
