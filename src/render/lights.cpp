@@ -32,25 +32,40 @@ float rangeFalloff(const PunctualLight& light, float distance) {
   return std::clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
 }
 
-/// Power over 4 pi sr of mean intensity, scene units: only for choosing between lights.
-float power(const PunctualLight& light, float sceneRadius) {
-  const float intensity = luminance(light.intensity);
-  switch (light.type) {
-    case PunctualLight::Type::kPoint:
-      return 4.0f * kPi * intensity;
-    case PunctualLight::Type::kSpot:
-      return 2.0f * kPi * intensity * (1.0f - std::cos(light.outerConeRadians));
-    case PunctualLight::Type::kDirectional:
-      return kPi * sceneRadius * sceneRadius * intensity;
+LightBounds boundsOf(const PunctualLight& light) {
+  LightBounds b;
+  b.lower = b.upper = light.position;
+  b.intensity = luminance(light.intensity);
+  if (light.type == PunctualLight::Type::kSpot) {
+    b.axis = light.direction;
+    b.cosThetaO = std::cos(light.innerConeRadians);
+    b.cosThetaE = std::cos(std::max(light.outerConeRadians - light.innerConeRadians, 1e-3f));
+  } else {
+    b.cosThetaO = -1.0f;
   }
-  return 0.0f;
+  return b;
+}
+
+LightBounds boundsOf(const Surfaces::Corners& c, float radiance, bool bothSides) {
+  const float doubleArea = glm::length(c.frontNormal);
+  LightBounds b;
+  b.lower = glm::min(c.a, glm::min(c.b, c.c));
+  b.upper = glm::max(c.a, glm::max(c.b, c.c));
+  b.axis = c.frontNormal / doubleArea;
+  b.intensity = 0.5f * doubleArea * radiance;
+  b.bothSides = bothSides;
+  return b;
+}
+
+bool isUsable(const LightBounds& b) {
+  return b.intensity > 0.0f && std::isfinite(b.intensity);
 }
 
 }  // namespace
 
-Lights::Lights(const Surfaces& surfaces, float sceneRadius) : surfaces_(surfaces) {
+Lights::Lights(const Surfaces& surfaces) : surfaces_(surfaces), tree_({}) {
   const Scene& scene = surfaces.scene();
-  std::vector<float> powers;
+  std::vector<LightBounds> bounds;
   firstOfInstance_.assign(scene.instances.size(), -1);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[surfaces.placement(i).mesh];
@@ -58,50 +73,55 @@ Lights::Lights(const Surfaces& surfaces, float sceneRadius) : surfaces_(surfaces
     if (material.unlit || !(luminance(material.emission) > 0.0f)) continue;
     firstOfInstance_[i] = static_cast<std::int64_t>(lightOfTriangle_.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Surfaces::Corners c = surfaces.corners(i, t);
-      const float area = 0.5f * glm::length(c.frontNormal);
-      const float sides = material.doubleSided ? 2.0f : 1.0f;
-      const float p = kPi * sides * area * surfaces.meanEmission(static_cast<std::uint32_t>(i), t);
-      if (!(p > 0.0f) || !std::isfinite(p)) {
+      const LightBounds b =
+          boundsOf(surfaces.corners(i, t), surfaces.meanEmission(static_cast<std::uint32_t>(i), t),
+                   material.doubleSided);
+      if (!isUsable(b)) {
         lightOfTriangle_.push_back(-1);
         continue;
       }
       lightOfTriangle_.push_back(static_cast<std::int32_t>(lights_.size()));
-      lights_.push_back({static_cast<std::uint32_t>(i), t, 0.0f});
-      powers.push_back(p);
+      lights_.push_back({static_cast<std::uint32_t>(i), t});
+      bounds.push_back(b);
     }
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const float p = power(scene.lights[i], sceneRadius);
-    if (!(p > 0.0f) || !std::isfinite(p)) continue;
-    lights_.push_back({kPunctual, static_cast<std::uint32_t>(i), 0.0f});
-    powers.push_back(p);
+    const PunctualLight& light = scene.lights[i];
+    const LightBounds b = boundsOf(light);
+    if (!isUsable(b)) continue;
+    if (light.type == PunctualLight::Type::kDirectional) {
+      directional_.push_back(static_cast<std::uint32_t>(i));
+    } else {
+      lights_.push_back({kPunctual, static_cast<std::uint32_t>(i)});
+      bounds.push_back(b);
+    }
   }
-  double total = 0.0;
-  for (const float p : powers) total += p;
-  double sum = 0.0;
-  cumulative_.reserve(powers.size());
-  for (std::size_t i = 0; i < powers.size(); ++i) {
-    lights_[i].probability = static_cast<float>(powers[i] / total);
-    sum += powers[i];
-    cumulative_.push_back(static_cast<float>(sum / total));
-  }
+  tree_ = LightTree(bounds);
+  if (!directional_.empty()) directionalShare_ = lights_.empty() ? 1.0f : 0.5f;
 }
 
-std::optional<LightSample> Lights::sample(const glm::vec3& position, float choose, glm::vec2 u) const {
-  if (lights_.empty()) return std::nullopt;
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choose);
-  const std::size_t index =
-      std::min(static_cast<std::size_t>(found - cumulative_.begin()), lights_.size() - 1);
-  const Light& light = lights_[index];
+std::optional<LightSample> Lights::sample(const glm::vec3& position, const glm::vec3& normal, float choose,
+                                          glm::vec2 u) const {
+  if (choose < directionalShare_) {
+    const auto count = static_cast<float>(directional_.size());
+    const auto index =
+        std::min(static_cast<std::size_t>(choose / directionalShare_ * count), directional_.size() - 1);
+    return samplePunctual(surfaces_.scene().lights[directional_[index]], directionalShare_ / count, position);
+  }
+  const float rest = 1.0f - directionalShare_;
+  const std::optional<LightTree::Choice> choice =
+      tree_.choose(position, normal, std::min((choose - directionalShare_) / rest, 0.99999994f));
+  if (!choice) return std::nullopt;
+  const Light& light = lights_[choice->light];
+  const float probability = choice->probability * rest;
   if (light.instance == kPunctual) {
-    return samplePunctual(surfaces_.scene().lights[light.index], light.probability, position);
+    return samplePunctual(surfaces_.scene().lights[light.index], probability, position);
   }
-  return sampleTriangle(light, position, u);
+  return sampleTriangle(light, probability, position, u);
 }
 
-std::optional<LightSample> Lights::sampleTriangle(const Light& light, const glm::vec3& position,
-                                                  glm::vec2 u) const {
+std::optional<LightSample> Lights::sampleTriangle(const Light& light, float probability,
+                                                  const glm::vec3& position, glm::vec2 u) const {
   // Uniform over the area: PBRT 4th ed., 6.5.4, SampleUniformTriangle.
   glm::vec2 barycentric;
   if (u.x < u.y) {
@@ -129,7 +149,7 @@ std::optional<LightSample> Lights::sampleTriangle(const Light& light, const glm:
   s.radiance = surfaces_.emissionAt(light.instance, light.index, barycentric);
   if (s.radiance == Rgb(0.0f)) return std::nullopt;
   s.target = offsetRayOrigin(point, cosine > 0.0f ? normal : -normal);
-  s.pdf = light.probability * squared / (0.5f * doubleArea * std::abs(cosine));
+  s.pdf = probability * squared / (0.5f * doubleArea * std::abs(cosine));
   return s;
 }
 
@@ -157,18 +177,18 @@ std::optional<LightSample> Lights::samplePunctual(const PunctualLight& light, fl
   return s;
 }
 
-float Lights::pdf(std::uint32_t instance, std::uint32_t triangle, const glm::vec3& direction,
-                  float distance) const {
-  if (firstOfInstance_.empty() || firstOfInstance_[instance] < 0) return 0.0f;
-  const std::int32_t index =
-      lightOfTriangle_[static_cast<std::size_t>(firstOfInstance_[instance]) + triangle];
-  if (index < 0) return 0.0f;
-  const Light& light = lights_[static_cast<std::size_t>(index)];
-  const Surfaces::Corners c = surfaces_.corners(instance, triangle);
-  const float doubleArea = glm::length(c.frontNormal);
-  const float cosine = std::abs(glm::dot(c.frontNormal, direction)) / doubleArea;
+float Lights::pdf(const Found& found, const glm::vec3& position, const glm::vec3& normal) const {
+  const std::int64_t first = firstOfInstance_[found.instance];
+  if (first < 0) return 0.0f;
+  const std::int32_t light = lightOfTriangle_[static_cast<std::size_t>(first) + found.triangle];
+  if (light < 0) return 0.0f;
+  const glm::vec3 frontNormal = surfaces_.corners(found.instance, found.triangle).frontNormal;
+  const float doubleArea = glm::length(frontNormal);
+  const float cosine = std::abs(glm::dot(frontNormal, found.direction)) / doubleArea;
   if (!(cosine > 1e-6f)) return 0.0f;
-  return light.probability * distance * distance / (0.5f * doubleArea * cosine);
+  const float probability =
+      tree_.probability(static_cast<std::uint32_t>(light), position, normal) * (1.0f - directionalShare_);
+  return probability * found.distance * found.distance / (0.5f * doubleArea * cosine);
 }
 
 }  // namespace promenade::render

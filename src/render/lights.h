@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "src/render/light_tree.h"
 #include "src/render/surfaces.h"
 
 namespace promenade::render {
@@ -23,36 +24,43 @@ struct LightSample {
 
 class Lights {
  public:
-  /// `sceneRadius`: of a sphere around the scene, for the power of directional lights. `surfaces` must
-  /// outlive this.
-  Lights(const Surfaces& surfaces, float sceneRadius);
+  /// `surfaces` must outlive this.
+  explicit Lights(const Surfaces& surfaces);
 
-  [[nodiscard]] bool empty() const { return lights_.empty(); }
+  [[nodiscard]] bool empty() const { return lights_.empty() && directional_.empty(); }
 
-  /// One light point seen from `position`; nothing if it does not shine this way.
-  [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& position, float choose, glm::vec2 u) const;
+  /// One light point for the surface at `position` with unit `normal` (either side); nothing if it does not
+  /// shine there.
+  [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& position, const glm::vec3& normal,
+                                                  float choose, glm::vec2 u) const;
 
-  /// The density with which sample() finds the point of the emissive triangle that a ray of unit `direction`
-  /// hit at `distance`; 0 if the triangle is not among the lights.
-  [[nodiscard]] float pdf(std::uint32_t instance, std::uint32_t triangle, const glm::vec3& direction,
-                          float distance) const;
+  /// Where a ray from the surface at `position` found an emissive triangle.
+  struct Found {
+    std::uint32_t instance = 0;
+    std::uint32_t triangle = 0;
+    glm::vec3 direction{0.0f};  ///< unit, of the ray
+    float distance = 0.0f;      ///< from `position`
+  };
+  /// The density with which sample() would have chosen that point; 0 if the triangle is not among the lights.
+  [[nodiscard]] float pdf(const Found& found, const glm::vec3& position, const glm::vec3& normal) const;
 
  private:
   struct Light {
     std::uint32_t instance = 0;  // of an emissive triangle, else kPunctual
     std::uint32_t index = 0;     // its triangle, or the index into Scene::lights
-    float probability = 0.0f;
   };
   static constexpr std::uint32_t kPunctual = 0xffffffffu;
 
-  [[nodiscard]] std::optional<LightSample> sampleTriangle(const Light& light, const glm::vec3& position,
-                                                          glm::vec2 u) const;
+  [[nodiscard]] std::optional<LightSample> sampleTriangle(const Light& light, float probability,
+                                                          const glm::vec3& position, glm::vec2 u) const;
   [[nodiscard]] std::optional<LightSample> samplePunctual(const PunctualLight& light, float probability,
                                                           const glm::vec3& position) const;
 
   const Surfaces& surfaces_;
-  std::vector<Light> lights_;
-  std::vector<float> cumulative_;
+  std::vector<Light> lights_;               // at finite distance, in the order of the tree's lights
+  std::vector<std::uint32_t> directional_;  // indices into Scene::lights
+  float directionalShare_ = 0.0f;           // probability that one of those is chosen
+  LightTree tree_;
   std::vector<std::int64_t> firstOfInstance_;  // index into lightOfTriangle_, -1: the instance does not shine
   std::vector<std::int32_t> lightOfTriangle_;  // index into lights_, -1: not sampled
 };

@@ -107,7 +107,7 @@ struct PathTracer::Carried {
   // The last vertex that changed the direction, for multiple importance sampling: passing straight through a
   // pane changes neither the density of the direction nor the light that next event estimation at that vertex
   // could have chosen.
-  glm::vec3 scatterPosition;
+  glm::vec3 scatterPosition{0.0f}, scatterNormal{0.0f};
   float scatterPdf = 0.0f;
   bool scatterDelta = true;
   float environmentShare =
@@ -151,10 +151,7 @@ class PathTracer::ShadowBatch {
 };
 
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings)
-    : settings_(settings),
-      surfaces_(scene),
-      embree_(surfaces_, settings.threads),
-      lights_(surfaces_, 0.5f * glm::length(embree_.bounds().upper - embree_.bounds().lower)) {
+    : settings_(settings), surfaces_(scene), embree_(surfaces_, settings.threads), lights_(surfaces_) {
   if (scene.environment) environment_.emplace(*scene.environment);
 }
 
@@ -207,7 +204,8 @@ void PathTracer::sampleLights(const Vertex& vertex, Sampler& sampler, float envi
   }
   if (askLocal) {
     const float choose = sampler.next1D();
-    const std::optional<LightSample> light = lights_.sample(vertex.position, choose, sampler.next2D());
+    const std::optional<LightSample> light =
+        lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
     if (light && light->pdf > 0.0f) weigh(*light, localShare);
   }
 }
@@ -253,8 +251,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       float weight = 1.0f;
       if (!path.scatterDelta && !vertex.look.unlit) {
         const float distance = glm::length(vertex.position - path.scatterPosition);
-        const float lightPdf =
-            lights_.pdf(hit.instance, hit.triangle, path.direction, distance) * path.localShare;
+        const Lights::Found found{hit.instance, hit.triangle, path.direction, distance};
+        const float lightPdf = lights_.pdf(found, path.scatterPosition, path.scatterNormal) * path.localShare;
         weight = powerHeuristic(path.scatterPdf, lightPdf);
       }
       add(path.throughput * vertex.look.emission * weight, path.bounces);
@@ -295,6 +293,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     path.origin = vertex.originToward(direction);
     path.direction = direction;
     path.scatterPosition = vertex.position;
+    path.scatterNormal = vertex.facing;
     path.scatterPdf = s.pdf;
     path.scatterDelta = s.delta;
     path.environmentShare = environmentShare;
@@ -352,6 +351,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
       next.origin = vertex.originToward(world);
       next.direction = world;
       next.scatterPosition = vertex.position;
+      next.scatterNormal = vertex.facing;
       next.scatterPdf = s.pdf;
       next.scatterDelta = s.delta;
       next.environmentShare = environmentShare;

@@ -151,6 +151,35 @@ TEST(Irradiance, OfAUniformSkyOnAnOpenFloorIsPi) {
   EXPECT_NEAR(meanOf(scene, atTheOrigin(4), paths(64, 1)), 0.5 * 2.0, 2e-3);
 }
 
+TEST(Irradiance, OfManyLightsIsTheSumOfTheirs) {
+  // Emissive spheres of several sizes, point lights and a directional light, alone and together.
+  const auto add = [](Scene& scene, int which) {
+    const auto k = static_cast<float>(which);
+    if (which < 4) {
+      scene.materials.push_back(tests::emitter(Rgb(1.0f + 3.0f * k)));
+      tests::place(scene,
+                   tests::sphere({2.0f * std::cos(k), 1.0f + 0.5f * k, 2.0f * std::sin(k)}, 0.2f + 0.05f * k,
+                                 12, 6, static_cast<int>(scene.materials.size()) - 1));
+      return;
+    }
+    PunctualLight light;
+    light.intensity = Rgb(k - 3.0f);
+    light.position = {k - 6.0f, 3.0f, 1.0f};
+    light.direction = glm::normalize(glm::vec3(0.3f, -1.0f, 0.2f));
+    if (which == 7) light.type = PunctualLight::Type::kDirectional;
+    scene.lights.push_back(light);
+  };
+  double sum = 0.0;
+  Scene all = floorScene(0.5f);
+  for (int which = 0; which < 8; ++which) {
+    Scene one = floorScene(0.5f);
+    add(one, which);
+    add(all, which);
+    sum += meanOf(one, atTheOrigin(4), paths(256, 1));
+  }
+  EXPECT_NEAR(meanOf(all, atTheOrigin(8), paths(1024, 1)), sum, 0.01 * sum);
+}
+
 // --- Form factors: the mean radiance of a square of albedo a lit by one of radiance L is a L F. ---
 
 double meanOverUnitSquare(const Scene& scene, const glm::dvec3& up, const glm::dvec3& eye,
