@@ -106,14 +106,15 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   // Channels (cortex filters and spatiovelocity CSF at the speed each of them sees), masked and summed.
   ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum);
   DifferenceSum differences(test.size());
+  const VelocityMap retinal = retinalVelocities(velocity);
   for (int orientation = 0; orientation < kOrientations; ++orientation) {
-    const SpeedField speeds = speedField(velocity, test.size(), orientation);
+    const SpeedField speeds = speedField(retinal, test.size(), orientation);
     for (int band = 1; band <= layout.bands; ++band) {
       differences.add(bank.respond({band, orientation}, speeds), band);
     }
   }
   const int baseband = layout.bands + 1;
-  const SpeedField speeds = speedField(velocity, test.size(), kUnoriented);
+  const SpeedField speeds = speedField(retinal, test.size(), kUnoriented);
   differences.add(bank.respond({baseband, kUnoriented}, speeds), baseband);
 
   // Where, and how surely.

@@ -14,7 +14,17 @@ double levelSpeed(int level) {
   return std::ldexp(kDriftSpeed, level);
 }
 
-SpeedField speedField(const VelocityMap& velocity, Size image, int orientation) {
+VelocityMap retinalVelocities(const VelocityMap& imageVelocity) {
+  VelocityMap retinal(imageVelocity.size());
+  tbb::parallel_for(0, retinal.height(), [&](int y) {
+    for (int x = 0; x < retinal.width(); ++x) {
+      retinal(x, y) = glm::vec2(retinalVelocity(glm::dvec2(imageVelocity(x, y))));
+    }
+  });
+  return retinal;
+}
+
+SpeedField speedField(const VelocityMap& retinal, Size image, int orientation) {
   SpeedField field{Plane<float>(image.width, image.height), Plane<float>(image.width, image.height),
                    Plane<float>(image.width, image.height),
                    std::vector<std::uint32_t>(static_cast<std::size_t>(image.height)), 0};
@@ -23,9 +33,8 @@ SpeedField speedField(const VelocityMap& velocity, Size image, int orientation) 
     std::uint32_t levels = 0;
     for (int x = 0; x < image.width; ++x) {
       double speed = kDriftSpeed;
-      if (!velocity.empty()) {
-        speed = std::min(channelSpeed(retinalVelocity(glm::dvec2(velocity(x, y))), orientation),
-                         levelSpeed(kFastestLevel));
+      if (!retinal.empty()) {
+        speed = std::min(channelSpeed(glm::dvec2(retinal(x, y)), orientation), levelSpeed(kFastestLevel));
       }
       field.speed.row(y)[x] = static_cast<float>(speed);
       if (speed == kDriftSpeed) {

@@ -27,8 +27,11 @@ struct SpeedField {
   std::uint32_t levels = 0;
 };
 
-/// `velocity`: degrees per second, of size `image`, or empty if nothing moves. `orientation`: 0..5 or
+/// retinalVelocity() at every pixel; empty if `imageVelocity` is.
+[[nodiscard]] VelocityMap retinalVelocities(const VelocityMap& imageVelocity);
+
+/// `retinal`: degrees per second, of size `image`, or empty if nothing moves. `orientation`: 0..5 or
 /// kUnoriented.
-[[nodiscard]] SpeedField speedField(const VelocityMap& velocity, Size image, int orientation);
+[[nodiscard]] SpeedField speedField(const VelocityMap& retinal, Size image, int orientation);
 
 }  // namespace promenade::aqm
