@@ -1,0 +1,108 @@
+#pragma once
+// A renderer whose scene is known in closed form: a wall at z = -6 with smooth waves (item 1), a panel on it
+// (item 2) that may look different from everywhere, and a column in front of it (item 3). Counts what it
+// shades.
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "src/core/renderer.h"
+
+namespace promenade::tests {
+
+inline constexpr ItemId kWall = 1;
+inline constexpr ItemId kPanel = 2;
+inline constexpr ItemId kColumn = 3;
+
+enum class Panel { kMatt, kMirrorLike };
+
+class AnalyticRenderer final : public Renderer {
+ public:
+  explicit AnalyticRenderer(Panel panel) : panel_(panel) {}
+
+  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
+    const Size size = camera.size();
+    Visibility v{camera, DepthMap(size), NormalMap(size), ItemBuffer(size)};
+    forEach(size, [&](int x, int y) {
+      const Hit hit = trace(camera, x, y);
+      v.depth(x, y) = hit.depth;
+      v.normal(x, y) = glm::vec3(0.0f, 0.0f, 1.0f);
+      v.item(x, y) = hit.item;
+    });
+    return v;
+  }
+
+  void retrace(Frame& frame, const Mask& mask, SampleSource source, int) const override {
+    forEach(mask.size(), [&](int x, int y) {
+      if (mask(x, y) == 0) return;
+      const Camera& camera = frame.visibility.camera;
+      const Hit hit = trace(camera, x, y);
+      frame.diffuse(x, y) = diffuse(hit);
+      frame.viewDependent(x, y) = viewDependent(hit, camera);
+      frame.source(x, y) = source;
+      ++shaded_;
+    });
+  }
+
+  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
+    Frame frame{visibility(camera), RadianceMap(camera.size()), RadianceMap(camera.size()),
+                SourceMap(camera.size())};
+    retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
+    return frame;
+  }
+
+  [[nodiscard]] ItemTraits traits(ItemId item) const override {
+    return {panel_ == Panel::kMirrorLike && item == kPanel};
+  }
+  [[nodiscard]] RayCounts rayCounts() const override { return {0, shaded_, 0, 0}; }
+  [[nodiscard]] std::uint64_t shaded() const { return shaded_; }
+
+ private:
+  struct Hit {
+    float depth = std::numeric_limits<float>::infinity();
+    ItemId item = kNoItem;
+    glm::dvec3 point{0.0};
+  };
+
+  static void forEach(Size size, const std::function<void(int, int)>& body) {
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) body(x, y);
+    }
+  }
+
+  [[nodiscard]] static Hit trace(const Camera& camera, int x, int y) {
+    const glm::dvec3 d = camera.direction({x + 0.5, y + 0.5});
+    const glm::dvec3 eye = camera.pose().eye;
+    const auto at = [&](double z) { return (z - eye.z) / d.z; };
+    const double toColumn = at(-4.0);
+    if (toColumn > 0.0) {
+      const glm::dvec3 p = eye + toColumn * d;
+      if (std::abs(p.x + 1.0) < 0.2) return {static_cast<float>(toColumn), kColumn, p};
+    }
+    const double toWall = at(-6.0);
+    if (!(toWall > 0.0)) return {};
+    const glm::dvec3 p = eye + toWall * d;
+    const bool onPanel = std::abs(p.x - 1.5) < 0.8 && std::abs(p.y) < 0.8;
+    return {static_cast<float>(toWall), onPanel ? kPanel : kWall, p};
+  }
+
+  [[nodiscard]] static Rgb diffuse(const Hit& hit) {
+    if (hit.item == kNoItem) return Rgb(0.2f);
+    if (hit.item == kColumn) return Rgb(0.6f, 0.3f, 0.2f);
+    const double wave = 0.5 + 0.2 * std::sin(2.0 * hit.point.x) * std::cos(2.0 * hit.point.y);
+    return Rgb(static_cast<float>(wave));
+  }
+
+  [[nodiscard]] Rgb viewDependent(const Hit& hit, const Camera& camera) const {
+    if (panel_ == Panel::kMatt || hit.item != kPanel) return Rgb(0.0f);
+    const glm::dvec3 mirrored = hit.point - camera.pose().eye;
+    return Rgb(static_cast<float>(0.5 + 0.5 * std::sin(25.0 * mirrored.x / mirrored.z)));
+  }
+
+  Panel panel_;
+  mutable std::atomic<std::uint64_t> shaded_{0};
+};
+
+}  // namespace promenade::tests

@@ -1,0 +1,54 @@
+#include "src/walkthrough/inbetween.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/walkthrough/analytic_renderer.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using tests::AnalyticRenderer;
+using tests::kPanel;
+using tests::kWall;
+using tests::Panel;
+
+class SelectRetrace : public testing::Test {
+ protected:
+  SelectRetrace() : item(4, 1, kWall), holes(4, 1) {
+    item(1, 0) = item(2, 0) = kPanel;
+    holes(2, 0) = holes(3, 0) = 1;
+  }
+  AnalyticRenderer renderer{Panel::kMirrorLike};
+  ItemBuffer item;
+  Mask holes;
+};
+
+TEST_F(SelectRetrace, TracesHolesAndFailingItemsOnce) {
+  const Retrace retrace = selectRetrace(item, holes, {ItemSet({kPanel}), ItemSet()}, renderer);
+  EXPECT_THAT(retrace.holes.pixels(), ElementsAre(0, 0, 1, 1));
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(retrace.traced.items(), ElementsAre(kPanel));
+}
+
+TEST_F(SelectRetrace, TracesViewDependentItemsThatWereNeverCompared) {
+  const Retrace retrace = selectRetrace(item, holes, {}, renderer);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
+}
+
+TEST_F(SelectRetrace, WarpsItemsThatWereProven) {
+  const Retrace retrace = selectRetrace(item, holes, {ItemSet(), ItemSet({kPanel})}, renderer);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(retrace.traced.items(), IsEmpty());
+}
+
+TEST_F(SelectRetrace, NeverTracesItemsThatLookTheSameFromEverywhere) {
+  const AnalyticRenderer matt{Panel::kMatt};
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), {}, matt);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough

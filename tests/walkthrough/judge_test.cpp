@@ -1,0 +1,186 @@
+#include "src/walkthrough/judge.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/walkthrough/analytic_renderer.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using tests::AnalyticRenderer;
+using tests::kPanel;
+using tests::kWall;
+using tests::Panel;
+
+ibr::Warped warpedOf(Size size, Rgb radiance, ItemId item) {
+  ibr::Warped warped;
+  warped.diffuse = RadianceMap(size, radiance);
+  warped.viewDependent = RadianceMap(size);
+  warped.depth = DepthMap(size, 1.0f);
+  warped.item = ItemBuffer(size, item);
+  warped.validity = ibr::ValidityMap(size, ibr::Validity::kValid);
+  return warped;
+}
+
+WarpedPair pairOf(Size size) {
+  WarpedPair pair;
+  pair.target = {Camera(Pose{}, 1.0, size), DepthMap(size, 1.0f), NormalMap(size), ItemBuffer(size, kWall)};
+  pair.fromFirst = warpedOf(size, Rgb(0.25f), kWall);
+  pair.fromLast = warpedOf(size, Rgb(0.75f), kWall);
+  return pair;
+}
+
+TEST(ComparedPair, KeepsBothValuesWhereBothKeyframesFill) {
+  const ComparedPair pair = comparedPair(pairOf({1, 1}), ItemSet());
+  EXPECT_EQ(pair.fromFirst(0, 0), Rgb(0.25f));
+  EXPECT_EQ(pair.fromLast(0, 0), Rgb(0.75f));
+  EXPECT_EQ(pair.excluded(0, 0), 0);
+  EXPECT_EQ(pair.unverified(0, 0), 0);
+}
+
+TEST(ComparedPair, GivesBothImagesTheOnlyValueThereIs) {
+  WarpedPair warped = pairOf({2, 1});
+  warped.fromFirst.validity(0, 0) = ibr::Validity::kOccluded;
+  warped.fromLast.validity(1, 0) = ibr::Validity::kOutside;
+  const ComparedPair pair = comparedPair(warped, ItemSet());
+  EXPECT_EQ(pair.fromFirst(0, 0), Rgb(0.75f));
+  EXPECT_EQ(pair.fromLast(0, 0), Rgb(0.75f));
+  EXPECT_EQ(pair.fromFirst(1, 0), Rgb(0.25f));
+  EXPECT_EQ(pair.fromLast(1, 0), Rgb(0.25f));
+  EXPECT_EQ(pair.unverified(0, 0), 1);
+  EXPECT_EQ(pair.unverified(1, 0), 1);
+  EXPECT_EQ(pair.excluded(0, 0), 0);
+}
+
+TEST(ComparedPair, FillsHolesAlikeAndExcludesThem) {
+  WarpedPair warped = pairOf({3, 1});
+  warped.fromFirst.validity(1, 0) = ibr::Validity::kOccluded;
+  warped.fromLast.validity(1, 0) = ibr::Validity::kUndersampled;
+  const ComparedPair pair = comparedPair(warped, ItemSet());
+  // The mean of what is valid: two samples of 0.25 and two of 0.75.
+  EXPECT_EQ(pair.fromFirst(1, 0), Rgb(0.5f));
+  EXPECT_EQ(pair.fromLast(1, 0), Rgb(0.5f));
+  EXPECT_EQ(pair.excluded(1, 0), 1);
+  EXPECT_EQ(pair.unverified(1, 0), 0);
+}
+
+TEST(ComparedPair, SilencesItemsThatAreTraced) {
+  WarpedPair warped = pairOf({2, 1});
+  warped.target.item(1, 0) = kPanel;
+  const ComparedPair pair = comparedPair(warped, ItemSet({kPanel}));
+  EXPECT_EQ(pair.excluded(0, 0), 0);
+  EXPECT_EQ(pair.excluded(1, 0), 1);
+  EXPECT_EQ(pair.fromFirst(1, 0), pair.fromLast(1, 0));
+}
+
+TEST(ResolveMask, SelectsAPixelWithMoreThanHalfOfItsSamples) {
+  Mask samples(4, 2);
+  samples(0, 0) = samples(1, 0) = 1;                  // two of four: not selected
+  samples(2, 0) = samples(3, 0) = samples(2, 1) = 1;  // three of four: selected
+  const Mask pixels = resolveMask(samples, 2);
+  EXPECT_EQ(pixels(0, 0), 0);
+  EXPECT_EQ(pixels(1, 0), 1);
+}
+
+class JudgeItems : public testing::Test {
+ protected:
+  AnalyticRenderer renderer{Panel::kMirrorLike};
+  ProbabilityMap probability{10, 1};
+  ItemBuffer item{10, 1, kPanel};
+  Mask excluded{10, 1};
+  Mask unverified{10, 1};
+};
+
+TEST_F(JudgeItems, FailsAnItemWithMoreVisiblePixelsThanTheTolerance) {
+  probability(3, 0) = probability(4, 0) = 0.9f;  // 20 per cent
+  EXPECT_THAT(judgeItems(probability, item, excluded, unverified, renderer, 19.0).failing.items(),
+              ElementsAre(kPanel));
+  EXPECT_THAT(judgeItems(probability, item, excluded, unverified, renderer, 20.0).failing.items(), IsEmpty());
+  EXPECT_THAT(judgeItems(probability, item, excluded, unverified, renderer, 20.0).proven.items(),
+              ElementsAre(kPanel));
+}
+
+TEST_F(JudgeItems, NeverListsItemsThatLookTheSameFromEverywhere) {
+  const AnalyticRenderer matt{Panel::kMatt};
+  probability = ProbabilityMap(10, 1, 1.0f);
+  const ItemVerdict verdict = judgeItems(probability, item, excluded, unverified, matt, 1.0);
+  EXPECT_TRUE(verdict.failing.empty());
+  EXPECT_TRUE(verdict.proven.empty());
+}
+
+TEST_F(JudgeItems, KnowsNothingOfItemsThatCouldNotBeCompared) {
+  unverified = Mask(10, 1, 1);
+  const ItemVerdict verdict = judgeItems(probability, item, excluded, unverified, renderer, 1.0);
+  EXPECT_TRUE(verdict.failing.empty());
+  EXPECT_TRUE(verdict.proven.empty());
+}
+
+Settings settingsFor(Size size) {
+  Settings settings;
+  settings.size = size;
+  settings.supersample = 1;
+  settings.tone.curve = ToneCurve::kLinear;
+  return settings;
+}
+
+TEST(JudgeMiddle, AcceptsEqualWarps) {
+  const Size size{40, 30};
+  WarpedPair warped = pairOf(size);
+  warped.fromLast = warpedOf(size, Rgb(0.25f), kWall);
+  const AnalyticRenderer renderer{Panel::kMatt};
+  const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
+  EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
+  EXPECT_EQ(judgement.statistics.differencePercent, 0.0);
+  EXPECT_EQ(judgement.statistics.maskedPercent, 0.0);
+}
+
+/// Stripes of eight pixels whose contrast differs by a third between the warps: far above threshold.
+WarpedPair stripedPair(Size size) {
+  WarpedPair warped = pairOf(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const bool bright = (x / 8) % 2 == 0;
+      warped.fromFirst.diffuse(x, y) = Rgb(bright ? 0.6f : 0.2f);
+      warped.fromLast.diffuse(x, y) = Rgb(bright ? 0.5f : 0.3f);
+    }
+  }
+  return warped;
+}
+
+TEST(JudgeMiddle, SplitsWhereAViewerSeesADifference) {
+  const Size size{96, 64};
+  const AnalyticRenderer renderer{Panel::kMatt};
+  const Judgement judgement =
+      judgeMiddle({0, 8, 0}, stripedPair(size), VelocityMap(), renderer, settingsFor(size));
+  EXPECT_EQ(judgement.statistics.decision, Decision::kSplit);
+  EXPECT_GT(judgement.statistics.differencePercent, 50.0);
+}
+
+TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
+  const Size size{96, 64};
+  WarpedPair warped = stripedPair(size);
+  // The difference is on the panel only; the rest of the two images is equal.
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const bool onPanel = x >= 32 && x < 64;
+      if (onPanel) {
+        warped.target.item(x, y) = kPanel;
+      } else {
+        warped.fromLast.diffuse(x, y) = warped.fromFirst.diffuse(x, y);
+      }
+    }
+  }
+  const AnalyticRenderer renderer{Panel::kMirrorLike};
+  const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
+  EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
+  EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
+  // Evaluated anew with equal panels the images are equal: nothing leaks out of the mask.
+  EXPECT_EQ(judgement.statistics.differencePercent, 0.0);
+  EXPECT_NEAR(judgement.statistics.maskedPercent, 100.0 * 32 / 96, 1e-9);
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough

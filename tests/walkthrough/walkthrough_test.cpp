@@ -1,0 +1,241 @@
+#include "src/walkthrough/walkthrough.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numeric>
+
+#include "src/core/errors.h"
+#include "tests/walkthrough/analytic_renderer.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+using testing::Each;
+using tests::AnalyticRenderer;
+using tests::Panel;
+
+constexpr Size kSize{64, 36};
+
+paths::CameraPath still(int frames) {
+  paths::CameraPath path;
+  for (int i = 0; i < frames; ++i) path.frames.push_back({Pose{}, 1.0});
+  return path;
+}
+
+/// A strafe: `step` metres to the right a frame.
+paths::CameraPath strafe(int frames, double step) {
+  paths::CameraPath path = still(frames);
+  for (int i = 0; i < frames; ++i) path.frames[static_cast<std::size_t>(i)].pose.eye.x = i * step;
+  return path;
+}
+
+/// Every other frame looks the other way.
+paths::CameraPath cuts(int frames) {
+  paths::CameraPath path = still(frames);
+  for (int i = 1; i < frames; i += 2) {
+    path.frames[static_cast<std::size_t>(i)].pose.worldFromCamera =
+        glm::dmat3(glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1));
+  }
+  return path;
+}
+
+Settings settingsFor(const paths::CameraPath& path) {
+  Settings settings;
+  settings.size = kSize;
+  settings.supersample = 2;
+  settings.frames = {0, path.frameCount() - 1};
+  settings.tone.curve = ToneCurve::kLinear;
+  return settings;
+}
+
+struct Run {
+  Statistics statistics;
+  std::map<int, FinishedFrame> frames;
+  std::vector<int> order;
+  std::vector<Segment> judged;
+};
+
+Run run(const paths::CameraPath& path, const AnalyticRenderer& renderer, const Settings& settings) {
+  Run result;
+  Outputs outputs;
+  outputs.frame = [&](FinishedFrame&& frame) {
+    result.order.push_back(frame.index);
+    result.frames.emplace(frame.index, std::move(frame));
+  };
+  outputs.middle = [&](JudgedMiddle&& middle) { result.judged.push_back(middle.segment); };
+  result.statistics = renderWalkthrough(path, renderer, settings, outputs);
+  return result;
+}
+
+double largestDifference(const RadianceMap& a, const RadianceMap& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    for (int c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(double(a.pixels()[i][c]) - b.pixels()[i][c]));
+  }
+  return largest;
+}
+
+std::vector<int> upTo(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+TEST(Walkthrough, OfAStillCameraTracesKeyframesOnlyAndChangesNothing) {
+  const auto path = still(33);
+  const AnalyticRenderer renderer(Panel::kMatt);
+  const Run result = run(path, renderer, settingsFor(path));
+  EXPECT_EQ(result.order, upTo(33));
+  // Keyframes at 0, 16, 32.
+  EXPECT_EQ(result.statistics.keyframes(), 3);
+  EXPECT_DOUBLE_EQ(result.statistics.tracedFraction(), 3.0 / 33.0);
+  for (const auto& [index, frame] : result.frames) {
+    EXPECT_EQ(largestDifference(frame.radiance, result.frames.at(0).radiance), 0.0) << index;
+  }
+}
+
+TEST(Walkthrough, DeliversEveryFrameOnceInTheOrderOfTime) {
+  for (const double step : {0.0, 0.02, 0.4}) {
+    const auto path = strafe(21, step);
+    const AnalyticRenderer renderer(Panel::kMirrorLike);
+    EXPECT_EQ(run(path, renderer, settingsFor(path)).order, upTo(21)) << step;
+  }
+}
+
+TEST(Walkthrough, TracesNoFrameTwiceAndCountsWhatItTraced) {
+  const auto path = strafe(25, 0.1);
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  const Run result = run(path, renderer, settingsFor(path));
+  EXPECT_EQ(result.statistics.samplesTraced(), renderer.shaded());
+  const std::uint64_t samplesOfAFrame = 64ull * 36 * 4;
+  for (const FrameStatistics& frame : result.statistics.frames) {
+    EXPECT_EQ(frame.samples, samplesOfAFrame);
+    EXPECT_EQ(frame.samplesTraced + frame.warped, samplesOfAFrame);
+    if (frame.kind == FrameKind::kInbetween) EXPECT_EQ(frame.samplesTraced, frame.holes + frame.itemSamples);
+  }
+}
+
+TEST(Walkthrough, OfASlowStrafeIsCloseToTheFullFramesForAFractionOfThem) {
+  const auto path = strafe(17, 0.02);
+  Settings settings = settingsFor(path);
+  const AnalyticRenderer renderer(Panel::kMatt);
+  const Run warped = run(path, renderer, settings);
+  settings.method = Method::kFull;
+  const Run full = run(path, renderer, settings);
+  EXPECT_LT(warped.statistics.tracedFraction(), 0.3);
+  EXPECT_DOUBLE_EQ(full.statistics.tracedFraction(), 1.0);
+  for (const auto& [index, frame] : warped.frames) {
+    // The wall's waves have at most 0.2 * 2 = 0.4 of radiance a metre; a sample is 6 m / (2 * 33 px) = 0.09 m
+    // wide, so that a neighbouring sample differs by at most 0.04. Column edges and the panel add nothing
+    // here: exact silhouettes.
+    EXPECT_LT(largestDifference(frame.radiance, full.frames.at(index).radiance), 0.04) << index;
+  }
+}
+
+TEST(Walkthrough, TracesDisoccludedWallAsHoles) {
+  const auto path = strafe(9, 0.2);
+  Settings settings = settingsFor(path);
+  settings.tolerancePercent = 100.0;  // never split
+  settings.keyframeSpacing = 8;
+  const AnalyticRenderer renderer(Panel::kMatt);
+  const Run result = run(path, renderer, settings);
+  EXPECT_EQ(result.statistics.keyframes(), 2);
+  EXPECT_GT(result.statistics.frames[4].holes + result.statistics.segments[0].unverifiedPercent, 0.0);
+  for (const FrameStatistics& frame : result.statistics.frames) EXPECT_EQ(frame.itemSamples, 0u);
+}
+
+TEST(Walkthrough, TracesAMirrorThatAViewerWouldCatchAndMarksItsSource) {
+  const auto path = strafe(17, 0.03);
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  Settings settings = settingsFor(path);
+  const Run result = run(path, renderer, settings);
+  std::uint64_t itemSamples = 0;
+  for (const FrameStatistics& frame : result.statistics.frames) {
+    itemSamples += frame.itemSamples;
+    if (frame.itemSamples > 0) EXPECT_THAT(frame.itemsTraced, testing::ElementsAre(tests::kPanel));
+  }
+  EXPECT_GT(itemSamples, 0u);
+  settings.method = Method::kFull;
+  const Run full = run(path, renderer, settings);
+  for (const auto& [index, frame] : result.frames) {
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        if (frame.source(x, y) != SampleSource::kTracedItem) continue;
+        EXPECT_EQ(frame.visibility.item(x, y), tests::kPanel);
+      }
+    }
+  }
+}
+
+TEST(Walkthrough, ThatCutsEveryFrameIsRight) {
+  const auto path = cuts(5);
+  Settings settings = settingsFor(path);
+  const AnalyticRenderer renderer(Panel::kMatt);
+  const Run warped = run(path, renderer, settings);
+  settings.method = Method::kFull;
+  const Run full = run(path, renderer, settings);
+  for (const auto& [index, frame] : warped.frames) {
+    EXPECT_EQ(largestDifference(frame.radiance, full.frames.at(index).radiance), 0.0) << index;
+  }
+}
+
+TEST(Walkthrough, OfOneFrameIsAKeyframe) {
+  const auto path = still(1);
+  const AnalyticRenderer renderer(Panel::kMatt);
+  const Run result = run(path, renderer, settingsFor(path));
+  EXPECT_EQ(result.order, upTo(1));
+  EXPECT_EQ(result.statistics.keyframes(), 1);
+}
+
+TEST(Walkthrough, RendersAPartOfThePath) {
+  const auto path = strafe(30, 0.05);
+  Settings settings = settingsFor(path);
+  settings.frames = {7, 12};
+  const AnalyticRenderer renderer(Panel::kMatt);
+  EXPECT_THAT(run(path, renderer, settings).order, testing::ElementsAre(7, 8, 9, 10, 11, 12));
+}
+
+TEST(Walkthrough, RefusesFramesOutsideThePath) {
+  const auto path = still(5);
+  Settings settings = settingsFor(path);
+  settings.frames = {0, 5};
+  const AnalyticRenderer renderer(Panel::kMatt);
+  EXPECT_THROW((void)renderWalkthrough(path, renderer, settings, {}), InputError);
+}
+
+TEST(Walkthrough, StopsWhenProgressSaysSo) {
+  const auto path = still(40);
+  const AnalyticRenderer renderer(Panel::kMatt);
+  int delivered = 0;
+  Outputs outputs;
+  outputs.frame = [&](FinishedFrame&&) { ++delivered; };
+  outputs.progress = [](const Progress& progress) {
+    if (progress.done == 3) throw Interrupted();
+  };
+  EXPECT_THROW((void)renderWalkthrough(path, renderer, settingsFor(path), outputs), Interrupted);
+  EXPECT_EQ(delivered, 3);
+}
+
+TEST(AutomaticExposure, BringsTheLogAverageToMiddleGrey) {
+  class Grey final : public Renderer {
+   public:
+    [[nodiscard]] Visibility visibility(const Camera&) const override { return {}; }
+    void retrace(Frame&, const Mask&, SampleSource, int) const override {}
+    [[nodiscard]] Frame render(const Camera& camera, int) const override {
+      Frame frame;
+      frame.diffuse = RadianceMap(camera.size(), Rgb(0.045f));
+      frame.viewDependent = RadianceMap(camera.size());
+      return frame;
+    }
+    [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
+    [[nodiscard]] RayCounts rayCounts() const override { return {}; }
+  };
+  // 0.18 / 0.045 = 4: two stops.
+  EXPECT_DOUBLE_EQ(automaticExposure(still(10), {0, 9}, Grey(), {64, 36}), 2.0);
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough
