@@ -107,7 +107,9 @@ TEST(Includes, AgainstAnArrowAreReported) {
 TEST(Includes, KeepEmbreeInsideTheRendererAndTinygltfInsideTheLoader) {
   for (const std::string& folder : kFolders) {
     for (const Include& include : includesBelow(folder)) {
-      if (folder != "src/render") EXPECT_FALSE(startsWithAny(include.target, {"embree3/"})) << include.file;
+      if (folder != "src/render") {
+        EXPECT_FALSE(startsWithAny(include.target, {"embree3/"})) << include.file;
+      }
       if (folder != "src/scene") {
         EXPECT_FALSE(startsWithAny(include.target, {"tiny_gltf", "tinygltf"})) << include.file;
       }
