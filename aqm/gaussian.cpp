@@ -44,12 +44,12 @@ void GaussianKernel::weightedSum(const float* const* taps, float* out, int count
       const float* before = taps[middle - t] + x;
       const float* after = taps[middle + t] + x;
       const auto pair = [&](std::size_t i) {
-        return hn::Mul(weight, hn::Add(hn::LoadU(tag, before + i), hn::LoadU(tag, after + i)));
+        return hn::Add(hn::LoadU(tag, before + i), hn::LoadU(tag, after + i));
       };
-      sum0 = hn::Add(sum0, pair(0));
-      sum1 = hn::Add(sum1, pair(lanes));
-      sum2 = hn::Add(sum2, pair(2 * lanes));
-      sum3 = hn::Add(sum3, pair(3 * lanes));
+      sum0 = hn::MulAdd(weight, pair(0), sum0);
+      sum1 = hn::MulAdd(weight, pair(lanes), sum1);
+      sum2 = hn::MulAdd(weight, pair(2 * lanes), sum2);
+      sum3 = hn::MulAdd(weight, pair(3 * lanes), sum3);
     }
     hn::StoreU(sum0, tag, out + x);
     hn::StoreU(sum1, tag, out + x + lanes);

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace promenade::aqm {
 namespace {
@@ -18,6 +19,12 @@ Spectrum spectrumOf(const ContrastMap& contrast, const Layout& layout, const Fou
   const int height = layout.padded.height;
   const int columns = layout.spectrumColumns();
 
+  std::vector<std::size_t> sources(static_cast<std::size_t>(width));
+  for (int x = 0; x < width; ++x) {
+    sources[static_cast<std::size_t>(x)] =
+        static_cast<std::size_t>(reflected(x - layout.margin, layout.image.width));
+  }
+
   Spectrum transposed(height, columns);
   const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
   tbb::parallel_for(0, blocks, [&](int block) {
@@ -27,10 +34,8 @@ Spectrum spectrumOf(const ContrastMap& contrast, const Layout& layout, const Fou
     const int count = std::min(kRowsPerBlock, height - begin);
     for (int i = 0; i < count; ++i) {
       const auto source = contrast.row(reflected(begin + i - layout.margin, layout.image.height));
-      for (int x = 0; x < width; ++x) {
-        extended.row(0)[x] =
-            source[static_cast<std::size_t>(reflected(x - layout.margin, layout.image.width))];
-      }
+      std::transform(sources.begin(), sources.end(), extended.row(0),
+                     [&](std::size_t x) { return source[x]; });
       plans.forwardRow(extended.row(0), rows.row(i));
     }
     for (int ix = 0; ix < columns; ++ix) {
