@@ -1,0 +1,18 @@
+#include "src/io/exr_maps.h"
+
+#include <cassert>
+
+#include "src/io/exr_memory.h"
+
+namespace promenade::io {
+
+void writeMaps(const std::filesystem::path& file, const MetricMaps& maps) {
+  const Size size = maps.jnd.size();
+  assert(size.area() > 0 && maps.pooledJnd.size() == size && maps.probability.size() == size);
+  writeExr(file, Imf::Header(size.width, size.height),
+           {{"J", Imf::FLOAT, maps.jnd.pixels().data(), sizeof(float)},
+            {"Jp", Imf::FLOAT, maps.pooledJnd.pixels().data(), sizeof(float)},
+            {"P", Imf::FLOAT, maps.probability.pixels().data(), sizeof(float)}});
+}
+
+}  // namespace promenade::io

@@ -1,0 +1,20 @@
+#pragma once
+// The metric's maps as an OpenEXR file: float channels J, Jp and P.
+
+#include <filesystem>
+
+#include "src/core/image.h"
+
+namespace promenade::io {
+
+struct MetricMaps {
+  const JndMap& jnd;                  ///< J
+  const JndMap& pooledJnd;            ///< Jp
+  const ProbabilityMap& probability;  ///< P
+};
+
+/// Float, because a threshold on P must give the same count after a round trip. Whole or not at all; the same
+/// maps give the same bytes. Precondition (asserted): equal sizes, at least one pixel.
+void writeMaps(const std::filesystem::path& file, const MetricMaps& maps);
+
+}  // namespace promenade::io

@@ -1,0 +1,14 @@
+#pragma once
+// 8-bit pictures for people: heat maps, contact sheets.
+
+#include <filesystem>
+
+#include "src/core/image.h"
+
+namespace promenade::io {
+
+/// An 8-bit RGB PNG tagged sRGB, values rounded to nearest (bytes.h); whole or not at all, the same image
+/// gives the same bytes. Throws InputError or CannotContinue (file_error.h).
+void write8bit(const std::filesystem::path& file, const EncodedMap& image);
+
+}  // namespace promenade::io

@@ -1,0 +1,294 @@
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "src/core/errors.h"
+#include "src/io/atomic_file.h"
+#include "src/io/bytes.h"
+#include "src/io/file_error.h"
+#include "src/io/libav.h"
+#include "src/io/palette.h"
+#include "src/io/video.h"
+#include "src/io/yuv420.h"
+
+extern "C" {
+#include <libavutil/opt.h>
+}
+
+namespace promenade::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EncoderChoice {
+  const char* muxer;
+  const char* encoder;
+  AVPixelFormat pixelFormat;
+  int threads;  // fixed: the bytes that x264 and libvpx write depend on it
+};
+
+EncoderChoice choiceFor(VideoFormat format) {
+  switch (format) {
+    case VideoFormat::kH264:
+      return {"mp4", "libx264", AV_PIX_FMT_YUV420P, 4};
+    case VideoFormat::kFfv1:
+      return {"matroska", "ffv1", AV_PIX_FMT_BGR0, 4};
+    case VideoFormat::kVp9:
+      return {"webm", "libvpx-vp9", AV_PIX_FMT_YUV420P, 4};
+    case VideoFormat::kGif:
+      return {"gif", "gif", AV_PIX_FMT_PAL8, 1};
+  }
+  throw InputError("unknown video format");
+}
+
+Size codedSize(VideoFormat format, Size size) {
+  switch (format) {
+    case VideoFormat::kH264:
+    case VideoFormat::kVp9:
+      return evenSize(size);
+    case VideoFormat::kFfv1:  // FFmpeg 5.1 writes black for a side of one pixel
+      return {std::max(size.width, 2), std::max(size.height, 2)};
+    case VideoFormat::kGif:
+      return size;
+  }
+  return size;
+}
+
+std::string sizeText(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+// A muxer and the file it writes to.
+struct MuxerDelete {
+  void operator()(AVFormatContext* muxer) const {
+    avio_closep(&muxer->pb);
+    avformat_free_context(muxer);
+  }
+};
+using Muxer = std::unique_ptr<AVFormatContext, MuxerDelete>;
+
+void copyPlane(AVFrame& frame, int plane, const std::uint8_t* from, std::size_t rowBytes, int rows) {
+  for (int y = 0; y < rows; ++y) {
+    std::memcpy(frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane],
+                from + static_cast<std::size_t>(y) * rowBytes, rowBytes);
+  }
+}
+
+void fill(AVFrame& target, const EncodedMap& image) {
+  const auto width = static_cast<std::size_t>(target.width);
+  switch (target.format) {
+    case AV_PIX_FMT_YUV420P: {
+      const Yuv420 yuv = toYuv420(image);
+      copyPlane(target, 0, yuv.y.data(), width, target.height);
+      copyPlane(target, 1, yuv.cb.data(), width / 2, target.height / 2);
+      copyPlane(target, 2, yuv.cr.data(), width / 2, target.height / 2);
+      break;
+    }
+    case AV_PIX_FMT_BGR0:
+      for (int y = 0; y < target.height; ++y) {
+        std::uint8_t* out = target.data[0] + static_cast<std::ptrdiff_t>(y) * target.linesize[0];
+        for (int x = 0; x < target.width; ++x) {
+          const Rgb& code = image(std::min(x, image.width() - 1), std::min(y, image.height() - 1));
+          *out++ = toByte(code.b);
+          *out++ = toByte(code.g);
+          *out++ = toByte(code.r);
+          *out++ = 0;
+        }
+      }
+      break;
+    default: {  // AV_PIX_FMT_PAL8
+      copyPlane(target, 0, toPalette(image).data(), width, target.height);
+      const auto palette = fixedPalette();
+      std::memcpy(target.data[1], palette.data(), sizeof palette);
+    }
+  }
+}
+
+}  // namespace
+
+struct VideoWriter::State {
+  State(const fs::path& path, Size frameSize, FrameRate frameRate);
+  void write(const EncodedMap& image);
+  void finish();
+
+ private:
+  void configure(const EncoderChoice& choice, FrameRate frameRate);
+  void option(const char* name, const char* value);
+  void encode(const AVFrame* frame);
+  void check(int result, const char* action) const;
+
+  VideoFormat format_;
+  Size size_;
+  AtomicFile file_;  // outlives the muxer, which writes into it
+  Muxer muxer_;
+  CodecContext codec_;
+  VideoFrame frame_;
+  Packet packet_;
+  AVStream* stream_ = nullptr;
+  std::int64_t frames_ = 0;
+};
+
+void VideoWriter::State::check(int result, const char* action) const {
+  // The muxer keeps going after a failed write and tells only here.
+  const int error = result < 0 ? result : (muxer_ && muxer_->pb != nullptr ? muxer_->pb->error : 0);
+  if (error >= 0) return;
+  const int systemError = AVUNERROR(error);
+  if (systemError > 0 && systemError < 1000) throwFileError(systemError, file_.finalPath(), action);
+  throw CannotContinue(file_.finalPath().string() + ": cannot " + action + ": " + libavMessage(error));
+}
+
+void VideoWriter::State::option(const char* name, const char* value) {
+  check(av_opt_set(codec_.get(), name, value, AV_OPT_SEARCH_CHILDREN), "set up the encoder");
+}
+
+VideoWriter::State::State(const fs::path& path, Size frameSize, FrameRate frameRate)
+    : format_(videoFormatOf(path)), size_(frameSize), file_(path) {
+  redirectLibavLog();
+  if (size_.width < 1 || size_.height < 1) {
+    throw InputError(path.string(), "expected frames of at least 1x1 pixels, found " + sizeText(size_));
+  }
+  const EncoderChoice choice = choiceFor(format_);
+  const AVCodec* encoder = avcodec_find_encoder_by_name(choice.encoder);
+  if (encoder == nullptr) {
+    throw InputError(path.string(),
+                     std::string("the FFmpeg libraries here have no encoder ") + choice.encoder);
+  }
+  // "file:" keeps a name with a colon from being taken for a protocol.
+  const std::string url = "file:" + file_.temporaryPath().string();
+  AVFormatContext* muxer = nullptr;
+  check(avformat_alloc_output_context2(&muxer, nullptr, choice.muxer, url.c_str()), "set up the container");
+  muxer_.reset(muxer);
+  muxer_->flags |= AVFMT_FLAG_BITEXACT;  // no version strings, no random identifiers
+  codec_ = allocated<CodecContext>(avcodec_alloc_context3(encoder));
+  configure(choice, frameRate);
+  if (const int error = avcodec_open2(codec_.get(), encoder, nullptr); error < 0) {
+    throw InputError(path.string(), std::string("encoder ") + choice.encoder + " refuses frames of " +
+                                        sizeText(size_) + ": " + libavMessage(error));
+  }
+
+  stream_ = avformat_new_stream(muxer_.get(), nullptr);
+  if (stream_ == nullptr) throw std::bad_alloc();
+  check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "set up the stream");
+  stream_->time_base = codec_->time_base;
+  stream_->avg_frame_rate = codec_->framerate;
+  stream_->r_frame_rate = codec_->framerate;
+
+  check(avio_open(&muxer_->pb, url.c_str(), AVIO_FLAG_WRITE), "create the file");
+  AVDictionary* options = nullptr;
+  if (format_ == VideoFormat::kH264) av_dict_set(&options, "movflags", "+faststart", 0);
+  const int headerResult = avformat_write_header(muxer_.get(), &options);
+  av_dict_free(&options);
+  check(headerResult, "write the header");
+
+  frame_ = allocated<VideoFrame>(av_frame_alloc());
+  frame_->format = codec_->pix_fmt;
+  frame_->width = codec_->width;
+  frame_->height = codec_->height;
+  frame_->color_primaries = codec_->color_primaries;
+  frame_->color_trc = codec_->color_trc;
+  frame_->colorspace = codec_->colorspace;
+  frame_->color_range = codec_->color_range;
+  frame_->chroma_location = codec_->chroma_sample_location;
+  check(av_frame_get_buffer(frame_.get(), 0), "allocate a frame");
+  packet_ = allocated<Packet>(av_packet_alloc());
+}
+
+void VideoWriter::State::configure(const EncoderChoice& choice, FrameRate frameRate) {
+  const bool subsampled = choice.pixelFormat == AV_PIX_FMT_YUV420P;
+  const Size coded = codedSize(format_, size_);
+  codec_->width = coded.width;
+  codec_->height = coded.height;
+  codec_->pix_fmt = choice.pixelFormat;
+  codec_->framerate = {frameRate.numerator, frameRate.denominator};
+  codec_->time_base = {frameRate.denominator, frameRate.numerator};
+  codec_->sample_aspect_ratio = {1, 1};
+  codec_->thread_count = choice.threads;
+  // Two seconds between points where a player can start.
+  codec_->gop_size = std::max(1, static_cast<int>(2.0 * frameRate.framesPerSecond()));
+  codec_->flags |= AV_CODEC_FLAG_BITEXACT;
+  if ((muxer_->oformat->flags & AVFMT_GLOBALHEADER) != 0) codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+  if (format_ != VideoFormat::kGif) {
+    codec_->color_primaries = AVCOL_PRI_BT709;
+    codec_->color_trc = subsampled ? AVCOL_TRC_BT709 : AVCOL_TRC_IEC61966_2_1;
+    codec_->colorspace = subsampled ? AVCOL_SPC_BT709 : AVCOL_SPC_RGB;
+    codec_->color_range = subsampled ? AVCOL_RANGE_MPEG : AVCOL_RANGE_JPEG;
+    if (subsampled) codec_->chroma_sample_location = AVCHROMA_LOC_LEFT;
+  }
+  switch (format_) {
+    case VideoFormat::kH264:
+      option("preset", "medium");
+      option("crf", "16");
+      break;
+    case VideoFormat::kFfv1:
+      codec_->level = 3;
+      codec_->gop_size = 1;  // every frame stands alone: damage stays where it is
+      option("slicecrc", "1");
+      // Slices are what its threads share. Small pictures cannot be divided (and version 3 would do so by
+      // itself).
+      codec_->slices = size_.width <= 352 && size_.height <= 288 ? 1 : 4;
+      break;
+    case VideoFormat::kVp9:
+      codec_->bit_rate = 0;
+      option("crf", "20");
+      option("deadline", "good");
+      option("cpu-used", "4");
+      break;
+    case VideoFormat::kGif:
+      codec_->time_base = {frameRate.denominator, frameRate.numerator};
+      break;
+  }
+}
+
+void VideoWriter::State::encode(const AVFrame* frame) {
+  check(avcodec_send_frame(codec_.get(), frame), "encode a frame");
+  for (;;) {
+    const int result = avcodec_receive_packet(codec_.get(), packet_.get());
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+    check(result, "encode a frame");
+    packet_->stream_index = stream_->index;
+    if (packet_->duration == 0) packet_->duration = 1;
+    av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
+    check(av_interleaved_write_frame(muxer_.get(), packet_.get()), "write");
+  }
+}
+
+void VideoWriter::State::write(const EncodedMap& image) {
+  if (image.size() != size_) {
+    throw InputError(file_.finalPath().string(), "frame " + std::to_string(frames_) + ": expected " +
+                                                     sizeText(size_) + " pixels, found " +
+                                                     sizeText(image.size()));
+  }
+  check(av_frame_make_writable(frame_.get()), "allocate a frame");
+  fill(*frame_, image);
+  frame_->pts = frames_++;
+  encode(frame_.get());
+}
+
+void VideoWriter::State::finish() {
+  if (frames_ == 0)
+    throw InputError(file_.finalPath().string(), "expected at least one frame to encode, found none");
+  encode(nullptr);
+  check(av_write_trailer(muxer_.get()), "write");
+  avio_flush(muxer_->pb);
+  check(0, "write");
+  check(avio_closep(&muxer_->pb), "write");
+  file_.commit();
+}
+
+VideoWriter::VideoWriter(const fs::path& file, Size size, FrameRate frameRate)
+    : state_(std::make_unique<State>(file, size, frameRate)) {}
+VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
+VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
+VideoWriter::~VideoWriter() = default;
+
+void VideoWriter::write(const EncodedMap& frame) {
+  state_->write(frame);
+}
+
+void VideoWriter::finish() {
+  state_->finish();
+  state_.reset();
+}
+
+}  // namespace promenade::io
