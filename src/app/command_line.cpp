@@ -1,0 +1,309 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "src/app/config_file.h"
+#include "src/app/options.h"
+#include "src/app/printable.h"
+#include "src/core/errors.h"
+#include "src/core/nearest_name.h"
+#include "src/io/text_file.h"
+
+namespace promenade::app {
+namespace {
+
+void addSceneOptions(CLI::App& verb, SceneOptions& o) {
+  const std::string group = "Limits of the scene reader";
+  verb.add_flag("--allow-outside-folder", o.allowOutsideFolder,
+                "The scene may name files outside of its folder")
+      ->group(group);
+  verb.add_option("--max-file-bytes", o.maxFileBytes, "All files of the scene together")->group(group);
+  verb.add_option("--max-json-bytes", o.maxJsonBytes, "The scene's JSON")->group(group);
+  verb.add_option("--max-texture-bytes", o.maxTextureBytes, "Decoded textures")->group(group);
+  verb.add_option("--max-geometry-bytes", o.maxGeometryBytes, "Decoded geometry")->group(group);
+  verb.add_option("--max-triangles", o.maxTriangles, "Stored triangles")->group(group);
+  verb.add_option("--max-instances", o.maxInstances, "Placed meshes")->group(group);
+  verb.add_option("--max-expansion", o.maxExpansion, "Decoded bytes for each byte read")->group(group);
+}
+
+void addRender(CLI::App& verb, RenderOptions& o) {
+  verb.add_option("scene", o.scene, "Scene: .glb or .gltf")->required();
+  verb.add_option("--path", o.path, "Camera path: a file, or an animation or camera of the scene by name");
+  verb.add_option("--out", o.out, "Folder for frames, video and report")->required();
+  verb.add_option("--size", o.size, "Frame size in pixels")->capture_default_str();
+  verb.add_option("--fps", o.fps, "Frame rate (default: the path's, else 25)");
+  verb.add_option("--frames", o.frames, "Only frames A-B, numbered from 0");
+  verb.add_option("--supersample", o.supersample, "Samples along a pixel's edge")->capture_default_str();
+  verb.add_option("--spp", o.spp, "Paths a sample, or 'auto': until the metric sees no noise")
+      ->capture_default_str();
+  verb.add_option("--tolerance", o.tolerance, "Per cent of pixels that may differ visibly")
+      ->capture_default_str();
+  verb.add_option("--spacing", o.spacing, "Frames from keyframe to keyframe at first")->capture_default_str();
+  verb.add_option("--method", o.method, "ibr, or full: every frame ray traced")->capture_default_str();
+  verb.add_option("--integrator", o.integrator, "Light transport: path")->capture_default_str();
+  verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_option("--tone", o.tone, "Tone curve: neutral or linear")->capture_default_str();
+  verb.add_option("--exposure", o.exposure, "Stops, or 'auto': one value for the walk")
+      ->capture_default_str();
+  verb.add_option("--environment", o.environment, "Light from infinity: a lat-long .exr or .hdr image");
+  verb.add_flag("--sky", o.sky, "Light from infinity: a clear daylight sky");
+  verb.add_option("--sun", o.sun, "Where --sky has its sun: elevation and azimuth in degrees")
+      ->capture_default_str();
+  verb.add_option("--video", o.video, "Video file (default: DIR/walkthrough.mp4)");
+  verb.add_option("--threads", o.threads, "Threads, 0: all")->capture_default_str();
+  verb.add_option("--seed", o.seed, "Seed of the random numbers")->capture_default_str();
+  verb.add_flag("--resume", o.resume,
+                "Go on with this very job in DIR (done anyway where DIR holds it), or fail");
+  verb.add_flag("--overwrite", o.overwrite, "Replace the frames of another job in DIR");
+  verb.add_flag("--maps", o.maps, "Also write the metric's maps");
+  addSceneOptions(verb, o.load);
+  verb.footer("Example:\n  promenade render hall.glb --size 640x360 --out walk");
+}
+
+void addCompare(CLI::App& verb, CompareOptions& o) {
+  verb.add_option("test", o.test, "Image, sequence (folder, dir/%06d.exr, glob) or video")->required();
+  verb.add_option("reference", o.reference, "The same kind of thing, of equal size and length")->required();
+  verb.add_option("--metric", o.metric, "aqm, rmse or psnr")->capture_default_str();
+  verb.add_option("--velocity", o.velocity,
+                  "Image velocity VX,VY in degrees per second (default: the Vector channels, else 0)");
+  verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_option("--ppd", o.ppd, "Pixels per degree (default: the display's)");
+  verb.add_option("--fps", o.fps, "Frame rate (default: the files', else 25)");
+  verb.add_flag("--absolute", o.absolute, "Channel Y of the EXR files is luminance in cd/m2");
+  verb.add_option("--tone", o.tone, "Tone curve for EXR frames: neutral or linear")->capture_default_str();
+  verb.add_option("--exposure", o.exposure, "Stops for EXR frames, or 'auto'")->capture_default_str();
+  verb.add_option("--maps", o.maps, "Folder for an EXR a frame with the maps J, Jp, P");
+  verb.add_option("--heatmap", o.heatmap, "Folder for a PNG a frame with the probabilities as colours");
+  verb.add_option("--csv", o.csv, "File for a table of the frames");
+  verb.add_flag("--json", o.json, "Print JSON instead of the summary");
+  verb.add_option("--fail-above", o.failAbove,
+                  "Exit status 1 if more than so many per cent of the worst frame's pixels differ visibly");
+  verb.add_option("--threads", o.threads, "Threads, 0: all")->capture_default_str();
+  verb.footer("Example:\n  promenade compare walk reference --heatmap differences --fail-above 5");
+}
+
+void addPath(CLI::App& verb, PathOptions& o) {
+  verb.add_option("file", o.file, "Path file, or a glTF scene with a camera animation")->required();
+  verb.add_option("--name", o.name, "Animation or camera of a glTF scene (default: the first animation)");
+  verb.add_option("--fps", o.fps, "Frame rate (default: the path's, else 25)");
+  verb.add_option("--to", o.to, "Also write it: FORMAT (promenade, nerfstudio, tum, gltf) and FILE")
+      ->expected(2);
+  verb.add_option("--plot", o.plot, "SVG file: plan view, speed and turn rate over time");
+  addSceneOptions(verb, o.load);
+  verb.footer("Example:\n  promenade path walk.json --plot walk.svg --to tum walk.txt");
+}
+
+void addEncode(CLI::App& verb, EncodeOptions& o) {
+  verb.add_option("input", o.input, "Rendered folder, sequence or video")->required();
+  verb.add_option("output", o.output, "Video: .mp4 (H.264), .mkv (FFV1), .webm (VP9), .gif")->required();
+  verb.add_option("--tone", o.tone, "Tone curve for EXR frames: neutral or linear")->capture_default_str();
+  verb.add_option("--exposure", o.exposure,
+                  "Stops for EXR frames, or 'auto': as rendered, else from the frames")
+      ->capture_default_str();
+  verb.add_option("--fps", o.fps, "Frame rate (default: the frames', else 25)");
+  verb.add_option("--frames", o.frames, "Only frames A-B, numbered from 0");
+  verb.add_option("--crop", o.crop, "Part of the frame: WIDTHxHEIGHT+X+Y");
+  verb.footer("Example:\n  promenade encode walk walk.mkv --tone linear --exposure -0.5");
+}
+
+void addInfo(CLI::App& verb, InfoOptions& o) {
+  verb.add_option("scene", o.scene, "Scene: .glb or .gltf")->required();
+  addSceneOptions(verb, o.load);
+  verb.footer("Example:\n  promenade info hall.glb");
+}
+
+struct VerbEntry {
+  Verb verb;
+  const char* name;
+  const char* about;
+};
+
+constexpr std::array<VerbEntry, 5> kVerbs = {{
+    {Verb::kRender, "render", "Render a walk through a scene: frames, video and report"},
+    {Verb::kCompare, "compare",
+     "Where would a viewer see a difference between two images, sequences or videos?"},
+    {Verb::kPath, "path", "Describe, convert or draw a camera path"},
+    {Verb::kEncode, "encode",
+     "Make a video of rendered frames with another tone mapping, crop or frame rate"},
+    {Verb::kInfo, "info", "What a scene holds"},
+}};
+
+std::vector<std::string> verbNames() {
+  std::vector<std::string> names;
+  for (const VerbEntry& entry : kVerbs) names.emplace_back(entry.name);
+  return names;
+}
+
+std::string nearest(const std::string& name, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  return nearestName(name, views);
+}
+
+std::vector<std::string> optionNames(const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+bool given(const std::vector<std::string>& arguments, const std::string& option) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const std::string& argument) {
+    return argument == option || argument.starts_with(option + "=");
+  });
+}
+
+// The values of --config FILE, as if they had been typed; what was typed wins.
+std::vector<std::string> withConfig(std::vector<std::string> arguments, const CLI::App& verb) {
+  const auto typed = arguments;
+  std::string file;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    if (typed[i].starts_with("--config=")) file = typed[i].substr(9);
+    if (typed[i] == "--config" && i + 1 < typed.size()) file = typed[i + 1];
+  }
+  if (file.empty()) return arguments;
+  for (const ConfigEntry& entry : parseConfig(io::readTextFile(file), file, verb.get_name(), verbNames())) {
+    const std::string name = "--" + entry.key;
+    const CLI::Option* option =
+        entry.key == "config" || entry.key == "help" ? nullptr : verb.get_option_no_throw(name);
+    if (option == nullptr) {
+      throw InputError(entry.place, "unknown key '" + printable(entry.key) + "'; did you mean '" +
+                                        nearest(name, optionNames(verb)).substr(2) + "'?");
+    }
+    if (given(typed, name)) continue;
+    const bool flag = option->get_expected_max() == 0;
+    if (!flag) {
+      arguments.push_back(name + "=" + entry.value);
+    } else if (entry.value == "true") {
+      arguments.push_back(name);
+    } else if (entry.value != "false") {
+      throw InputError(entry.place, "expected true or false, found '" + printable(entry.value) + "'");
+    }
+  }
+  return arguments;
+}
+
+[[noreturn]] void refuseUnknownOptions(const std::vector<std::string>& arguments, const CLI::App& verb) {
+  const auto known = optionNames(verb);
+  for (const std::string& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (!name.starts_with("-") || name.size() < 2 ||
+        std::find(known.begin(), known.end(), name) != known.end())
+      continue;
+    if (name[1] == '.' || (name[1] >= '0' && name[1] <= '9')) continue;  // a negative number
+    throw InputError("unknown option '" + printable(name) + "'; did you mean '" + nearest(name, known) +
+                     "'? (promenade " + verb.get_name() + " --help lists all)");
+  }
+  throw InputError("there are more arguments than expected (promenade " + verb.get_name() +
+                   " --help lists all)");
+}
+
+void parseVerb(CLI::App& verb, const std::vector<std::string>& arguments) {
+  std::vector<std::string> reversed = withConfig(arguments, verb);
+  std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants it
+  try {
+    verb.parse(reversed);
+  } catch (const CLI::ExtrasError&) {
+    refuseUnknownOptions(arguments, verb);
+  } catch (const CLI::CallForHelp&) {
+    throw;
+  } catch (const CLI::RequiredError& error) {
+    // An unknown option takes the blame before the argument that is missing because of it.
+    const auto known = optionNames(verb);
+    for (const std::string& argument : arguments) {
+      const std::string name = argument.substr(0, argument.find('='));
+      if (name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end()) {
+        refuseUnknownOptions(arguments, verb);
+      }
+    }
+    throw InputError(printable(error.what()) + " (promenade " + verb.get_name() + " --help)");
+  } catch (const CLI::ParseError& error) {
+    throw InputError(printable(error.what()) + " (promenade " + verb.get_name() + " --help)");
+  }
+}
+
+std::string generalHelp() {
+  std::string text =
+      "Promenade: walkthrough animations of static scenes, by image-based rendering under a perceptual "
+      "metric\n\n"
+      "Usage: promenade VERB ...\n\n";
+  for (const VerbEntry& entry : kVerbs) {
+    std::string name(entry.name);
+    name.resize(10, ' ');
+    text += "  " + name + entry.about + "\n";
+  }
+  return text +
+         "\n  --help     this text; promenade VERB --help describes a verb\n  --version  the version\n\n"
+         "Example:\n  promenade render hall.glb --size 640x360 --out walk\n";
+}
+
+}  // namespace
+
+CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
+  CommandLine line;
+  if (arguments.empty())
+    throw InputError("expected a verb: render, compare, path, encode or info (promenade --help)");
+  const std::string& first = arguments.front();
+  if (first == "--help" || first == "-h" || first == "help") {
+    line.text = generalHelp();
+    return line;
+  }
+  if (first == "--version") {
+    line.text = std::string("promenade ") + PROMENADE_VERSION + "\n";
+    return line;
+  }
+  const auto entry =
+      std::find_if(kVerbs.begin(), kVerbs.end(), [&](const VerbEntry& e) { return first == e.name; });
+  if (entry == kVerbs.end()) {
+    if (first.starts_with("-")) {
+      throw InputError("unknown option '" + printable(first) + "' before the verb; did you mean '" +
+                       nearest(first, {"--help", "--version"}) + "'?");
+    }
+    throw InputError("unknown verb '" + printable(first) + "'; did you mean '" + nearest(first, verbNames()) +
+                     "'?");
+  }
+
+  CLI::App verb(entry->about, entry->name);
+  verb.get_formatter()->column_width(28);
+  switch (entry->verb) {
+    case Verb::kRender:
+      addRender(verb, line.render);
+      break;
+    case Verb::kCompare:
+      addCompare(verb, line.compare);
+      break;
+    case Verb::kPath:
+      addPath(verb, line.path);
+      break;
+    case Verb::kEncode:
+      addEncode(verb, line.encode);
+      break;
+    case Verb::kInfo:
+      addInfo(verb, line.info);
+      break;
+    case Verb::kHelpOnly:
+      break;
+  }
+  std::string config;
+  verb.add_option("--config", config, "TOML or JSON file with options; typed ones win");
+  verb.add_flag("--quiet", line.console.quiet, "Neither progress nor notices");
+  verb.add_option("--log-level", line.console.logLevel, "trace, debug, info, warning, error, critical or off")
+      ->capture_default_str();
+  // `--display ?` lists the presets, whatever else is there.
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (arguments[i] == "--display=?" || (arguments[i] == "?" && arguments[i - 1] == "--display")) {
+      line.text = "?";
+      return line;
+    }
+  }
+  try {
+    parseVerb(verb, {arguments.begin() + 1, arguments.end()});
+  } catch (const CLI::CallForHelp&) {
+    line.text = verb.help("promenade");
+    return line;
+  }
+  line.verb = entry->verb;
+  return line;
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,116 @@
+#include "src/app/console.h"
+
+#include <spdlog/logger.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+
+#include "src/app/interrupt.h"
+#include "src/app/printable.h"
+#include "src/app/progress_line.h"
+#include "src/core/errors.h"
+#include "src/core/nearest_name.h"
+
+namespace promenade::app {
+namespace {
+
+constexpr std::chrono::milliseconds kBarInterval{100};
+constexpr std::chrono::seconds kLineInterval{5};
+constexpr std::array<std::string_view, 7> kLevels = {"trace", "debug",    "info", "warning",
+                                                     "error", "critical", "off"};
+
+int terminalColumns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+spdlog::level::level_enum levelOf(const std::string& name) {
+  for (const std::string_view known : kLevels) {
+    if (name == known) return spdlog::level::from_str(name);
+  }
+  throw InputError("--log-level: unknown level '" + printable(name) + "'; did you mean '" +
+                   nearestName(name, kLevels) + "'?");
+}
+
+}  // namespace
+
+Console::Console(const ConsoleOptions& options)
+    : log_(std::make_shared<spdlog::logger>("promenade", std::make_shared<spdlog::sinks::stderr_sink_mt>())),
+      showsProgress_(!options.quiet),
+      terminal_(isatty(STDERR_FILENO) == 1) {
+  const auto level = levelOf(options.logLevel);
+  log_->set_level(options.quiet ? std::max(level, spdlog::level::err) : level);
+  log_->set_pattern("promenade: %l: %v");
+  showsProgress_ = showsProgress_ && level <= spdlog::level::info;
+}
+
+Console::~Console() {
+  endProgress();
+}
+
+void Console::result(const std::string& text) {
+  clearBar();
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw CannotContinue("standard output: cannot write");
+  }
+}
+
+void Console::info(const std::string& line) {
+  clearBar();
+  log_->info(printable(line));
+}
+
+void Console::warning(const std::string& line) {
+  clearBar();
+  log_->warn(printable(line));
+}
+
+ProgressCallback Console::progress() {
+  return [this](const Progress& progress) {
+    throwIfInterrupted();
+    show(progress);
+  };
+}
+
+void Console::show(const Progress& progress) {
+  if (!showsProgress_) return;
+  const auto now = Clock::now();
+  if (what_ != progress.what) {
+    endProgress();
+    what_ = progress.what;
+    start_ = now;
+    lastShown_ = now;
+    if (terminal_) lastShown_ -= kBarInterval;
+  }
+  const bool last = progress.done == progress.total;
+  if (now - lastShown_ < (terminal_ ? Clock::duration(kBarInterval) : Clock::duration(kLineInterval)) &&
+      !last)
+    return;
+  lastShown_ = now;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  if (terminal_) {
+    std::fprintf(stderr, "\r%s\x1b[K", progressBar(progress, elapsed, terminalColumns()).c_str());
+    barOnScreen_ = true;
+  } else {
+    std::fprintf(stderr, "%s\n", progressLine(progress, elapsed).c_str());
+  }
+  std::fflush(stderr);
+}
+
+void Console::clearBar() {
+  if (!barOnScreen_) return;
+  std::fputs("\r\x1b[K", stderr);
+  barOnScreen_ = false;
+}
+
+void Console::endProgress() {
+  if (barOnScreen_) std::fputc('\n', stderr);
+  barOnScreen_ = false;
+  what_.clear();
+}
+
+}  // namespace promenade::app

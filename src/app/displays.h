@@ -1,0 +1,21 @@
+#pragma once
+// The displays that are known by name, and displays described in files.
+
+#include <string>
+
+#include "src/core/display.h"
+
+namespace promenade::app {
+
+/// A preset's name, or a JSON file (docs/formats.md). Throws InputError that names the nearest preset.
+[[nodiscard]] DisplayModel displayNamed(const std::string& nameOrFile);
+
+/// Keys "name", "resolution" [w, h], "diagonal" and "distance" (metres), "peak" and "black" (cd/m2),
+/// "ambient" (lux), "reflectance", "transfer" ("srgb", "gamma2.2", "linear"); absent ones as in the default
+/// preset. Unknown keys are errors.
+[[nodiscard]] DisplayModel displayFromJson(const std::string& text, const std::string& fileName);
+
+/// One line a preset, for `--display ?`.
+[[nodiscard]] std::string displayList();
+
+}  // namespace promenade::app

@@ -1,0 +1,102 @@
+#pragma once
+// What a user may type, as typed: the verbs turn the texts into values (values.h), so that every mistake gets
+// one clear line.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/app/console.h"
+#include "src/app/scene_options.h"
+
+namespace promenade::app {
+
+struct RenderOptions {
+  std::string scene;
+  std::string path;  ///< empty: the scene's first camera animation
+  std::string out;
+  std::string size = "1280x720";
+  std::string fps;     ///< empty: the path's, else 25
+  std::string frames;  ///< empty: all
+  std::string supersample = "2";
+  std::string spp = "auto";
+  std::string tolerance = "3";
+  std::string spacing = "16";
+  std::string method = "ibr";
+  std::string integrator = "path";
+  std::string display = "fhd-24";
+  std::string tone = "neutral";
+  std::string exposure = "auto";
+  std::string environment;
+  bool sky = false;
+  std::string sun = "45,30";  ///< degrees: elevation, azimuth
+  std::string video;          ///< empty: DIR/walkthrough.mp4
+  std::string threads = "0";
+  std::string seed = "0";
+  bool resume = false;
+  bool overwrite = false;
+  bool maps = false;
+  SceneOptions load;
+};
+
+struct CompareOptions {
+  std::string test;
+  std::string reference;
+  std::string velocity;  ///< empty: the Vector channels, else 0
+  std::string display = "fhd-24";
+  std::string ppd;  ///< empty: the display's
+  std::string fps;  ///< empty: the files', else 25
+  bool absolute = false;
+  std::string metric = "aqm";
+  std::string tone = "neutral";
+  std::string exposure = "auto";
+  std::string maps;
+  std::string heatmap;
+  std::string csv;
+  bool json = false;
+  std::string failAbove;
+  std::string threads = "0";
+};
+
+struct PathOptions {
+  std::string file;
+  std::string name;  ///< of an animation in a glTF file
+  std::string fps;
+  std::vector<std::string> to;  ///< format, file
+  std::string plot;
+  SceneOptions load;
+};
+
+struct EncodeOptions {
+  std::string input;
+  std::string output;
+  std::string tone = "neutral";
+  std::string exposure = "auto";
+  std::string fps;
+  std::string frames;
+  std::string crop;
+};
+
+struct InfoOptions {
+  std::string scene;
+  SceneOptions load;
+};
+
+enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kInfo };
+
+struct CommandLine {
+  Verb verb = Verb::kHelpOnly;
+  std::string text;  ///< kHelpOnly: what to print
+  ConsoleOptions console;
+  RenderOptions render;
+  CompareOptions compare;
+  PathOptions path;
+  EncodeOptions encode;
+  InfoOptions info;
+};
+
+/// `arguments` without the program's name. Reads --config. Throws InputError for unknown or missing
+/// arguments; an unknown option or key is answered with the nearest known one.
+[[nodiscard]] CommandLine parseCommandLine(const std::vector<std::string>& arguments);
+
+}  // namespace promenade::app

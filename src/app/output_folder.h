@@ -1,0 +1,33 @@
+#pragma once
+// The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/.
+
+#include <filesystem>
+#include <string>
+
+namespace promenade::app {
+
+enum class Existing {
+  kResume,     ///< go on with frames of this very job; refuse those of another (the default)
+  kOverwrite,  ///< remove what is there and begin again
+};
+
+class OutputFolder {
+ public:
+  /// Makes the folder and finds out what it holds, before any long work. Leftovers of killed runs are
+  /// removed. Throws InputError if it cannot be written or (kResume) holds frames that are not of the job
+  /// `hash`.
+  OutputFolder(std::filesystem::path folder, const std::string& hash, Existing existing);
+
+  [[nodiscard]] std::filesystem::path frame(int index) const;
+  [[nodiscard]] std::filesystem::path map(const std::string& name) const;
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  void makeMapsFolder() const;
+
+  /// How many frames of the job are there without a gap, from frame `first` on up to `last`.
+  [[nodiscard]] int finishedFrom(int first, int last) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace promenade::app

@@ -1,0 +1,133 @@
+#include "src/app/render_job.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "src/app/displays.h"
+#include "src/app/fingerprint.h"
+#include "src/app/machine.h"
+#include "src/app/path_choice.h"
+#include "src/app/printable.h"
+#include "src/app/scene_options.h"
+#include "src/app/values.h"
+#include "src/core/errors.h"
+#include "src/io/environment.h"
+#include "src/io/path_file.h"
+#include "src/io/video.h"
+
+namespace promenade::app {
+namespace {
+
+std::uint64_t seedFrom(const std::string& text) {
+  return static_cast<std::uint64_t>(integerFrom(text, 0, 2'147'483'647, "--seed"));
+}
+
+// A clear sky of turbidity 3.
+Environment skyFrom(const std::string& sun) {
+  const glm::dvec2 degrees(pairFrom(sun, "--sun"));
+  if (!(degrees.x >= 0.0 && degrees.x <= 90.0 && std::abs(degrees.y) <= 360.0)) {
+    throw InputError("--sun: expected an elevation from 0 to 90 and an azimuth within 360 degrees, found '" +
+                     printable(sun) + "'");
+  }
+  throw InputError("--sky: not available yet; use --environment");
+}
+
+}  // namespace
+
+RenderValues renderValues(const RenderOptions& options) {
+  RenderValues v;
+  v.size = sizeFrom(options.size, "--size");
+  if (!options.fps.empty()) v.framesPerSecond = numberFrom(options.fps, 0.01, 1000.0, "--fps");
+  v.supersample = integerFrom(options.supersample, 1, 16, "--supersample");
+  if (options.spp != "auto") v.pathsPerSample = integerFrom(options.spp, 1, 1 << 20, "--spp");
+  v.tolerancePercent = numberFrom(options.tolerance, 0.0, 100.0, "--tolerance");
+  v.spacing = integerFrom(options.spacing, 1, 1'000'000, "--spacing");
+  v.method = choiceFrom(options.method, {"ibr", "full"}, "--method") == "full"
+                 ? walkthrough::Method::kFull
+                 : walkthrough::Method::kImageBased;
+  (void)choiceFrom(options.integrator, {"path"}, "--integrator");
+  v.display = displayNamed(options.display);
+  v.tone = toneFrom(options.tone, "--tone");
+  v.exposureEv = exposureFrom(options.exposure, "--exposure");
+  v.threads = integerFrom(options.threads, 0, 4096, "--threads");
+  v.seed = seedFrom(options.seed);
+  if (!options.video.empty()) (void)io::videoFormatOf(options.video);
+  if (options.sky && !options.environment.empty()) {
+    throw InputError("--sky, --environment: expected one of them, found both");
+  }
+  if (options.resume && options.overwrite) {
+    throw InputError("--resume, --overwrite: expected one of them, found both");
+  }
+  walkthrough::Settings settings;
+  settings.size = v.size;
+  settings.supersample = v.supersample;
+  requireMemory(walkthrough::memoryNeededBytes(settings), availableMemoryBytes());
+  return v;
+}
+
+Scene sceneFor(const RenderOptions& options) {
+  Scene scene = loadScene(options.scene, loadOptions(options.load));
+  if (!options.environment.empty())
+    scene.environment = Environment{io::readEnvironment(options.environment), 0.0};
+  if (options.sky) scene.environment = skyFrom(options.sun);
+  return ensureLight(std::move(scene));
+}
+
+paths::CameraPath walkFor(const RenderOptions& options, const RenderValues& values, const Scene& scene) {
+  const std::string& wanted = options.path;
+  const bool isFile = !wanted.empty() && std::filesystem::exists(wanted);
+  if (isFile && isGltf(wanted)) {
+    return pathOfScene(loadScene(wanted, loadOptions(options.load)), "", values.framesPerSecond);
+  }
+  if (isFile) return io::readPathFile(wanted, {.framesPerSecond = values.framesPerSecond});
+  const std::string extension = std::filesystem::path(wanted).extension().string();
+  if (wanted.find('/') != std::string::npos || extension == ".json" || extension == ".txt" ||
+      isGltf(wanted)) {
+    throw InputError("--path: there is no such file: '" + printable(wanted) + "'");
+  }
+  return pathOfScene(scene, wanted, values.framesPerSecond);
+}
+
+walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValues& values,
+                                  const paths::CameraPath& path) {
+  walkthrough::Settings s;
+  s.size = values.size;
+  s.supersample = values.supersample;
+  s.frames = {0, path.frameCount() - 1};
+  if (!options.frames.empty()) {
+    const Frames frames = framesFrom(options.frames, path.frameCount(), "--frames");
+    s.frames = {frames.first, frames.last};
+  }
+  s.method = values.method;
+  s.tolerancePercent = values.tolerancePercent;
+  s.keyframeSpacing = values.spacing;
+  s.display = values.display;
+  s.tone = {values.tone, values.exposureEv.value_or(0.0)};
+  return s;
+}
+
+std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings, const Scene& scene,
+                    const paths::CameraPath& path) {
+  Fingerprint f;
+  f.add(std::string(PROMENADE_VERSION));
+  addFile(f, options.scene);
+  addScene(f, scene);
+  addPath(f, path);
+  const DisplayModel& d = settings.display;
+  for (const double value :
+       {static_cast<double>(settings.size.width), static_cast<double>(settings.size.height),
+        static_cast<double>(settings.supersample), static_cast<double>(settings.frames.first),
+        static_cast<double>(settings.frames.last), settings.tolerancePercent,
+        static_cast<double>(settings.keyframeSpacing), static_cast<double>(d.resolution.width),
+        static_cast<double>(d.resolution.height), d.diagonalMetres, d.viewingDistanceMetres, d.peakLuminance,
+        d.blackLuminance, d.ambientIlluminance, d.screenReflectance, static_cast<double>(d.transfer)}) {
+    f.add(value);
+  }
+  for (const std::string& text :
+       {options.method, options.integrator, options.spp, options.tone, options.exposure, options.seed}) {
+    f.add(text);
+  }
+  return f.text();
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,49 @@
+#pragma once
+// What `promenade render` is asked for, as values, and everything that is checked before long work begins.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "paths/camera_path.h"
+#include "src/app/options.h"
+#include "src/scene/scene.h"
+#include "src/walkthrough/walkthrough.h"
+
+namespace promenade::app {
+
+/// The options alone, before any file is read.
+struct RenderValues {
+  Size size;
+  std::optional<double> framesPerSecond;
+  int supersample = 2;
+  std::optional<int> pathsPerSample;  ///< nothing: automatic
+  double tolerancePercent = 3.0;
+  int spacing = 16;
+  walkthrough::Method method = walkthrough::Method::kImageBased;
+  DisplayModel display;
+  ToneCurve tone = ToneCurve::kNeutral;
+  std::optional<double> exposureEv;  ///< nothing: automatic
+  int threads = 0;
+  std::uint64_t seed = 0;
+};
+
+/// Throws InputError for every value that makes no sense, and for more memory than the machine has.
+[[nodiscard]] RenderValues renderValues(const RenderOptions& options);
+
+/// The scene with the light that the options ask for; never dark (a notice among its warnings).
+[[nodiscard]] Scene sceneFor(const RenderOptions& options);
+
+/// The walk: a file, or a camera of the scene.
+[[nodiscard]] paths::CameraPath walkFor(const RenderOptions& options, const RenderValues& values,
+                                        const Scene& scene);
+
+/// Settings of the walkthrough; exposure 0 where it is automatic.
+[[nodiscard]] walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValues& values,
+                                                const paths::CameraPath& path);
+
+/// Equal for jobs whose frames are the same.
+[[nodiscard]] std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings,
+                                  const Scene& scene, const paths::CameraPath& path);
+
+}  // namespace promenade::app

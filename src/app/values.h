@@ -1,0 +1,47 @@
+#pragma once
+// Option values that are more than one number. Every function throws InputError that begins with `option`.
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "src/core/display.h"
+#include "src/core/image.h"
+
+namespace promenade::app {
+
+/// A finite number, the whole text, in [low, high].
+[[nodiscard]] double numberFrom(const std::string& text, double low, double high, const std::string& option);
+[[nodiscard]] int integerFrom(const std::string& text, int low, int high, const std::string& option);
+
+/// "1280x720", each side from 1 to 65536.
+[[nodiscard]] Size sizeFrom(const std::string& text, const std::string& option);
+
+struct Frames {
+  int first;
+  int last;  ///< inclusive
+};
+/// "A-B" or "A" of `count` frames, numbered from 0.
+[[nodiscard]] Frames framesFrom(const std::string& text, int count, const std::string& option);
+
+/// "VX,VY"
+[[nodiscard]] glm::vec2 pairFrom(const std::string& text, const std::string& option);
+
+struct Crop {
+  int x, y;
+  Size size;
+};
+/// "WxH+X+Y"
+[[nodiscard]] Crop cropFrom(const std::string& text, const std::string& option);
+
+/// "neutral" or "linear"
+[[nodiscard]] ToneCurve toneFrom(const std::string& text, const std::string& option);
+
+/// A number of stops, or nothing for "auto".
+[[nodiscard]] std::optional<double> exposureFrom(const std::string& text, const std::string& option);
+
+/// One of `choices` (the text itself); names the nearest otherwise.
+[[nodiscard]] std::string choiceFrom(const std::string& text, std::initializer_list<std::string_view> choices,
+                                     const std::string& option);
+
+}  // namespace promenade::app

@@ -1,0 +1,160 @@
+#include <chrono>
+#include <cstdio>
+
+#include "src/app/frame_output.h"
+#include "src/app/interrupt.h"
+#include "src/app/machine.h"
+#include "src/app/output_folder.h"
+#include "src/app/render_job.h"
+#include "src/app/threads.h"
+#include "src/app/verbs.h"
+#include "src/core/errors.h"
+#include "src/io/text_file.h"
+#include "src/render/path_renderer.h"
+#include "src/walkthrough/noise.h"
+#include "src/walkthrough/report.h"
+
+namespace promenade::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using walkthrough::Stopwatch;
+
+std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, std::uint64_t seed,
+                                      int threads) {
+  return render::makePathRenderer(
+      scene, {.pathsPerSample = pathsPerSample, .seed = seed, .threads = threads, .checkpoint = [] {
+                throwIfInterrupted();
+              }});
+}
+
+// Exposure and paths a sample where they were left to the program.
+void chooseAutomatically(const RenderValues& values, const Scene& scene, const paths::CameraPath& path,
+                         walkthrough::Settings& settings, walkthrough::JobDescription& job,
+                         Console& console) {
+  if (!values.exposureEv) {
+    const auto renderer = rendererFor(scene, 16, values.seed, job.threads);
+    settings.tone.exposureEv =
+        walkthrough::automaticExposure(path, settings.frames, *renderer, settings.size);
+  }
+  job.pathsPerSample = values.pathsPerSample.value_or(0);
+  job.pathsChosenAutomatically = !values.pathsPerSample;
+  if (values.pathsPerSample) return;
+  const auto verdict =
+      walkthrough::pathsForInvisibleNoise(path, settings,
+                                          [&](int paths, std::uint64_t seed) {
+                                            return rendererFor(scene, paths, values.seed + seed, job.threads);
+                                          },
+                                          {});
+  job.pathsPerSample = verdict.pathsPerSample;
+  char text[160];
+  std::snprintf(text, sizeof(text),
+                "%d paths a sample: two renders of a frame differ visibly on %.2f%% of the pixels",
+                verdict.pathsPerSample, verdict.worstPercent);
+  verdict.worstPercent > walkthrough::NoiseSettings{}.tolerancePercent
+      ? console.warning(std::string(text) + "; noise will be visible and may split segments")
+      : console.info(text);
+}
+
+// The first frame that must be rendered again so that the rest comes out as if the job had never stopped: the
+// beginning of the first segment that is not finished (with its keyframe, which is the source of what
+// follows).
+int resumeAt(const walkthrough::Settings& settings, int finished) {
+  if (settings.method == walkthrough::Method::kFull) return settings.frames.first + finished;
+  const int whole = finished > 0 ? (finished - 1) / settings.keyframeSpacing : 0;
+  return settings.frames.first + whole * settings.keyframeSpacing;
+}
+
+std::string summary(const walkthrough::Report& report, const OutputFolder& folder) {
+  const walkthrough::Statistics& s = report.statistics;
+  char text[256];
+  std::snprintf(text, sizeof(text), ": %zu frames, %d keyframes, %.1f%% of the samples ray traced, %.1f s\n",
+                s.frames.size(), s.keyframes(), 100.0 * s.tracedFraction(), report.wallSeconds);
+  return folder.file("").parent_path().string() + text;
+}
+
+}  // namespace
+
+ExitStatus runRender(const RenderOptions& options, Console& console) {
+  const auto start = Clock::now();
+  const RenderValues values = renderValues(options);
+  const ThreadLimit threads(values.threads);
+
+  walkthrough::Report report;
+  Scene scene;
+  paths::CameraPath path;
+  {
+    const Stopwatch watch(report.seconds.load);
+    scene = sceneFor(options);
+    path = walkFor(options, values, scene);
+  }
+  for (const std::string& warning : scene.warnings) console.warning(scene.source + ": " + warning);
+  throwIfInterrupted();
+  walkthrough::Settings settings = settingsFor(options, values, path);
+  const std::string hash = jobHash(options, settings, scene, path);
+  const OutputFolder folder(options.out, hash, options.overwrite ? Existing::kOverwrite : Existing::kResume);
+  const std::filesystem::path video =
+      options.video.empty() ? folder.file("walkthrough.mp4") : std::filesystem::path(options.video);
+  const int finished = folder.finishedFrom(settings.frames.first, settings.frames.last);
+  if (options.resume && finished == 0) {
+    throw InputError(options.out, "--resume: there are no frames of this job to go on from");
+  }
+  if (finished == settings.frames.count() && std::filesystem::exists(video) &&
+      std::filesystem::exists(folder.file("report.json"))) {
+    console.result(options.out + ": all frames of this job are there; --overwrite renders them again\n");
+    return ExitStatus::kDone;
+  }
+
+  report.version = PROMENADE_VERSION;
+  report.job = {.scene = options.scene,
+                .path = options.path.empty() ? path.name : options.path,
+                .framesPerSecond = path.framesPerSecond,
+                .integrator = options.integrator,
+                .light = options.sky                   ? "sky"
+                         : options.environment.empty() ? "scene"
+                                                       : options.environment,
+                .seed = values.seed,
+                .threads = threads.count()};
+  {
+    const Stopwatch watch(report.seconds.prepare);
+    chooseAutomatically(values, scene, path, settings, report.job, console);
+  }
+  std::unique_ptr<Renderer> renderer;
+  {
+    const Stopwatch watch(report.seconds.load);
+    renderer = rendererFor(scene, report.job.pathsPerSample, values.seed, report.job.threads);
+  }
+
+  FrameOutput output(folder, path, settings.size, {video, settings.tone, options.scene, hash});
+  output.startAt(settings.frames.first);
+  for (int k = 0; k < finished; ++k) output.addFinished(settings.frames.first + k);
+  walkthrough::Outputs outputs;
+  outputs.frame = [&](walkthrough::FinishedFrame&& frame) { output.add(std::move(frame)); };
+  if (options.maps) {
+    folder.makeMapsFolder();
+    outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { output.addMiddle(middle); };
+  }
+  outputs.progress = console.progress();
+  report.settings = settings;
+  report.resumedFrom = settings.frames.first;
+  if (finished < settings.frames.count()) {
+    walkthrough::Settings remaining = settings;
+    remaining.frames.first = resumeAt(settings, finished);
+    report.resumedFrom = remaining.frames.first;
+    if (finished > 0) console.info("going on at frame " + std::to_string(remaining.frames.first));
+    report.statistics = walkthrough::renderWalkthrough(path, *renderer, remaining, outputs);
+  }
+  output.finish();
+  console.endProgress();
+
+  report.seconds.encode = output.secondsEncoding();
+  report.seconds.write = output.secondsWriting();
+  report.peakResidentBytes = peakResidentBytes();
+  report.wallSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+  io::writeTextFile(folder.file("report.html"), walkthrough::reportHtml(report));
+  io::writeTextFile(folder.file("report.json"), walkthrough::reportJson(report));
+  console.result(summary(report, folder));
+  return ExitStatus::kDone;
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,95 @@
+#include "src/walkthrough/report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace promenade::walkthrough {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jobJson(const Report& report) {
+  const Settings& s = report.settings;
+  const JobDescription& job = report.job;
+  return {{"scene", job.scene},
+          {"path", job.path},
+          {"size", {s.size.width, s.size.height}},
+          {"supersample", s.supersample},
+          {"fps", job.framesPerSecond},
+          {"frames", s.frames.count()},
+          {"method", s.method == Method::kFull ? "full" : "ibr"},
+          {"tolerance", s.tolerancePercent},
+          {"display", s.display.name},
+          {"seed", job.seed},
+          {"threads", job.threads},
+          {"first_frame", s.frames.first},
+          {"last_frame", s.frames.last},
+          {"spacing", s.keyframeSpacing},
+          {"integrator", job.integrator},
+          {"light", job.light},
+          {"spp", job.pathsPerSample},
+          {"spp_automatic", job.pathsChosenAutomatically},
+          {"tone", s.tone.curve == ToneCurve::kLinear ? "linear" : "neutral"},
+          {"exposure_ev", s.tone.exposureEv},
+          {"pixels_per_degree", s.display.pixelsPerDegree()}};
+}
+
+Json totalsJson(const Report& report) {
+  const Statistics& s = report.statistics;
+  const OutsideSeconds& o = report.seconds;
+  return {{"frames", s.frames.size()},
+          {"keyframes", s.keyframes()},
+          {"samples", s.samples()},
+          {"samples_traced", s.samplesTraced()},
+          {"traced_fraction", s.tracedFraction()},
+          {"rays", s.rays.primary + s.rays.scattered + s.rays.shadow},
+          {"visibility_rays", s.rays.visibility},
+          {"seconds_wall", report.wallSeconds},
+          {"seconds",
+           {{"load", o.load},
+            {"indirect", o.indirect},
+            {"prepare", o.prepare},
+            {"trace", s.seconds.trace},
+            {"visibility", s.seconds.visibility},
+            {"warp", s.seconds.warp},
+            {"metric", s.seconds.metric},
+            {"filter", s.seconds.filter},
+            {"encode", o.encode},
+            {"write", o.write}}},
+          {"peak_rss_bytes", static_cast<std::uint64_t>(report.peakResidentBytes)}};
+}
+
+}  // namespace
+
+std::string reportJson(const Report& report) {
+  Json segments = Json::array();
+  for (const SegmentStatistics& s : report.statistics.segments) {
+    segments.push_back({{"first", s.segment.first},
+                        {"last", s.segment.last},
+                        {"middle", s.segment.middle()},
+                        {"difference_percent", s.differencePercent},
+                        {"masked_percent", s.maskedPercent},
+                        {"unverified_percent", s.unverifiedPercent},
+                        {"decision", s.decision == Decision::kSplit ? "split" : "accept"},
+                        {"depth", s.segment.depth}});
+  }
+  Json frames = Json::array();
+  for (const FrameStatistics& f : report.statistics.frames) {
+    frames.push_back({{"index", f.index},
+                      {"kind", f.kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
+                      {"samples_traced", f.samplesTraced},
+                      {"holes", f.holes},
+                      {"items_traced", f.itemSamples},
+                      {"items", f.itemsTraced},
+                      {"warped", f.warped},
+                      {"seconds", f.seconds}});
+  }
+  Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
+  if (report.resumedFrom > report.settings.frames.first) root["resumed_from"] = report.resumedFrom;
+  root["segments"] = std::move(segments);
+  root["frames"] = std::move(frames);
+  // Names of files may hold anything; what is not UTF-8 is replaced.
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace promenade::walkthrough
