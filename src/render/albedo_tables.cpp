@@ -5,15 +5,30 @@
 namespace promenade::render {
 namespace {
 
-constexpr int kSamples = 1024;
-constexpr int kBoundarySamples = 256;
+/// Midpoint rule over the two numbers that choose a visible normal. The view lies in the xz plane, so half a
+/// turn of azimuths stands for both halves; the integrands are even and smooth there, and few azimuths are
+/// enough. The second number is 1 - t^power: a power above 1 puts points where facets are steep and
+/// reflections go below the horizon.
+struct Quadrature {
+  int azimuths;
+  int heights;
+  int power;
+  struct Point {
+    glm::vec2 u;
+    float weight;
+  };
+  [[nodiscard]] int count() const { return azimuths * heights; }
+  [[nodiscard]] Point point(int i) const {
+    const float azimuth = (static_cast<float>(i % azimuths) + 0.5f) / static_cast<float>(2 * azimuths);
+    const float t = (static_cast<float>(i / azimuths) + 0.5f) / static_cast<float>(heights);
+    float slope = 1.0f;
+    for (int k = 1; k < power; ++k) slope *= t;
+    return {{azimuth, 1.0f - slope * t}, static_cast<float>(power) * slope / static_cast<float>(count())};
+  }
+};
 
-/// Points of a two-dimensional additive recurrence (Roberts 2018): even, and the same on every machine.
-glm::vec2 quadraturePoint(int i) {
-  const double x = 0.5 + 0.7548776662466927 * i;
-  const double y = 0.5 + 0.5698402909980532 * i;
-  return {static_cast<float>(x - std::floor(x)), static_cast<float>(y - std::floor(y))};
-}
+constexpr Quadrature kReflectionQuadrature{16, 64, 3};
+constexpr Quadrature kBoundaryQuadrature{16, 40, 2};
 
 /// Position of a value in a table axis of `count` entries: the entry below and the fraction towards the next.
 struct Position {
@@ -31,46 +46,86 @@ float unitOf(std::size_t index, std::size_t count) {
   return static_cast<float>(index) / static_cast<float>(count - 1);
 }
 
-// Entries are denser towards grazing angles, where the albedo changes fastest.
-float cosineOf(std::size_t index, std::size_t count) {
-  const float unit = unitOf(index, count);
-  return std::max(unit * unit, 1e-5f);
+// Masking depends on the cosine over alpha: this axis has its entries where the albedo changes at every
+// roughness (the root, for the steep rise at grazing angles), and between two roughnesses like is mixed with
+// like.
+float maskingCoordinate(float cosine, float alpha) {
+  return std::sqrt(cosine * (1.0f + alpha) / (cosine + alpha));
+}
+
+// Fresnel's weight depends on the cosine alone, most of all at grazing angles.
+float fresnelCoordinate(float cosine) {
+  return std::sqrt(cosine);
+}
+
+// Rougher than this is what users look up (smoother is a mirror to them). The axis is the root of the
+// roughness: the scale of things is alpha, its fourth power, and entries should not be many times apart.
+constexpr float kSmallestRoughness = 0.02f;
+
+float alphaOf(float roughness) {
+  return roughness * roughness;
+}
+
+float roughnessCoordinate(float roughness) {
+  const float least = std::sqrt(kSmallestRoughness);
+  return (std::sqrt(std::max(roughness, kSmallestRoughness)) - least) / (1.0f - least);
+}
+
+float roughnessOf(std::size_t index, std::size_t count) {
+  const float least = std::sqrt(kSmallestRoughness);
+  const float root = least + (1.0f - least) * unitOf(index, count);
+  return std::min(root * root, 1.0f);
+}
+
+constexpr float kSmallestCosine = 1e-6f;
+
+float cosineAtMasking(float coordinate, float alpha) {
+  const float c2 = coordinate * coordinate;
+  return std::clamp(alpha * c2 / (1.0f + alpha - c2), kSmallestCosine, 1.0f);
+}
+
+float cosineAtFresnel(float coordinate) {
+  return std::max(coordinate * coordinate, kSmallestCosine);
+}
+
+float mix(float a, float b, float t) {
+  return a + (b - a) * t;
 }
 
 glm::vec3 directionOf(float cosine) {
   return {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine};
 }
 
-SpecularAlbedo mix(const SpecularAlbedo& a, const SpecularAlbedo& b, float t) {
-  return {a.scale + (b.scale - a.scale) * t, a.bias + (b.bias - a.bias) * t};
-}
-
 SpecularAlbedo integrateReflection(float cosine, float roughness) {
-  if (roughness == 0.0f) return {1.0f - schlickWeight(cosine), schlickWeight(cosine)};
-  const Ggx ggx(roughness * roughness);
+  const Ggx ggx(alphaOf(roughness));
   const glm::vec3 wo = directionOf(cosine);
   double whole = 0.0;
   double bias = 0.0;
-  for (int i = 0; i < kSamples; ++i) {
-    const glm::vec3 h = ggx.sampleVisibleNormal(wo, quadraturePoint(i));
+  double weights = 0.0;
+  for (int i = 0; i < kReflectionQuadrature.count(); ++i) {
+    const Quadrature::Point point = kReflectionQuadrature.point(i);
+    weights += point.weight;
+    const glm::vec3 h = ggx.sampleVisibleNormal(wo, point.u);
     const float cosHalf = glm::dot(wo, h);
     const float cosIn = 2.0f * cosHalf * h.z - wo.z;
     if (cosIn <= 0.0f) continue;
-    const float weight = ggx.weight(wo.z, cosIn);
+    const float weight = point.weight * ggx.weight(wo.z, cosIn);
     whole += weight;
     bias += weight * schlickWeight(cosHalf);
   }
-  return {static_cast<float>((whole - bias) / kSamples), static_cast<float>(bias / kSamples)};
+  return {static_cast<float>((whole - bias) / weights), static_cast<float>(bias / weights)};
 }
 
 float integrateBoundary(float cosine, float roughness, float relativeIor) {
-  if (roughness == 0.0f) return 1.0f;
-  const Ggx ggx(roughness * roughness);
+  const Ggx ggx(alphaOf(roughness));
   const glm::vec3 wo = directionOf(cosine);
   const float f0 = reflectanceOfIor(relativeIor);
   double sum = 0.0;
-  for (int i = 0; i < kBoundarySamples; ++i) {
-    const glm::vec3 h = ggx.sampleVisibleNormal(wo, quadraturePoint(i));
+  double weights = 0.0;
+  for (int i = 0; i < kBoundaryQuadrature.count(); ++i) {
+    const Quadrature::Point point = kBoundaryQuadrature.point(i);
+    weights += point.weight;
+    const glm::vec3 h = ggx.sampleVisibleNormal(wo, point.u);
     const float cosHalf = glm::dot(wo, h);
     const Refraction refraction = refractThrough(wo, h, relativeIor);
     const float fresnel =
@@ -78,10 +133,13 @@ float integrateBoundary(float cosine, float roughness, float relativeIor) {
             ? f0 + (1.0f - f0) * boundarySchlickWeight(cosHalf, refraction.cosine, relativeIor)
             : 1.0f;
     const float cosReflected = 2.0f * cosHalf * h.z - wo.z;
-    if (cosReflected > 0.0f) sum += fresnel * ggx.weight(wo.z, cosReflected);
-    if (refraction.direction.z < 0.0f) sum += (1.0f - fresnel) * ggx.weight(wo.z, -refraction.direction.z);
+    float through = 0.0f;
+    if (cosReflected > 0.0f) through += fresnel * ggx.weight(wo.z, cosReflected);
+    if (refraction.direction.z < 0.0f)
+      through += (1.0f - fresnel) * ggx.weight(wo.z, -refraction.direction.z);
+    sum += point.weight * through;
   }
-  return static_cast<float>(sum / kBoundarySamples);
+  return static_cast<float>(sum / weights);
 }
 
 // The index of refraction runs over (n - 1) / (n + 1) in [-1/2, 1/2]: even in the normal reflectance's root.
@@ -94,45 +152,62 @@ float iorOf(std::size_t index, std::size_t count) {
 
 SpecularAlbedoTable::SpecularAlbedoTable() {
   for (std::size_t r = 0; r < kRoughnesses; ++r) {
+    const float roughness = roughnessOf(r, kRoughnesses);
     for (std::size_t c = 0; c < kCosines; ++c) {
-      directional_[r][c] = integrateReflection(cosineOf(c, kCosines), unitOf(r, kRoughnesses));
+      const float unit = unitOf(c, kCosines);
+      whole_[r][c] = integrateReflection(cosineAtMasking(unit, alphaOf(roughness)), roughness).whole();
+      const SpecularAlbedo albedo = integrateReflection(cosineAtFresnel(unit), roughness);
+      biasShare_[r][c] = albedo.bias / albedo.whole();
     }
   }
-  // The mean of the interpolated table itself, so that what one direction gives up all directions get back.
-  constexpr int kSteps = 512;
-  for (std::size_t r = 0; r < kRoughnesses; ++r) {
+  // The means of the interpolated table itself, so that what one direction gives up all directions get back.
+  // More roughnesses than above: what smooth surfaces lose in the mean is small, and its share of error must
+  // be too.
+  constexpr int kSteps = 400;
+  for (std::size_t r = 0; r < kAverages; ++r) {
+    const float roughness = roughnessOf(r, kAverages);
     double scale = 0.0;
     double bias = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-      const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
-      const SpecularAlbedo albedo = directional(cosine, unitOf(r, kRoughnesses));
-      scale += 2.0 * cosine * albedo.scale / kSteps;
-      bias += 2.0 * cosine * albedo.bias / kSteps;
+      const double t = (i + 0.5) / kSteps;
+      const double weight =
+          6.0 * t * t * t * t * t / kSteps;  // 2 c dc with c = t^3: dense where smooth surfaces lose
+      const SpecularAlbedo albedo = directional(static_cast<float>(t * t * t), roughness);
+      scale += weight * albedo.scale;
+      bias += weight * albedo.bias;
     }
     average_[r] = {static_cast<float>(scale), static_cast<float>(bias)};
   }
 }
 
 SpecularAlbedo SpecularAlbedoTable::directional(float cosine, float roughness) const {
-  const Position r = positionIn(roughness, kRoughnesses);
-  const Position c = positionIn(std::sqrt(std::clamp(cosine, 0.0f, 1.0f)), kCosines);
-  const auto& low = directional_[r.index];
-  const auto& high = directional_[r.index + 1];
-  return mix(mix(low[c.index], low[c.index + 1], c.fraction),
-             mix(high[c.index], high[c.index + 1], c.fraction), r.fraction);
+  const float alpha = alphaOf(std::max(roughness, kSmallestRoughness));
+  const Position r = positionIn(roughnessCoordinate(roughness), kRoughnesses);
+  const auto read = [&r](const Table& table, const Position& c) {
+    const auto& low = table[r.index];
+    const auto& high = table[r.index + 1];
+    return mix(mix(low[c.index], low[c.index + 1], c.fraction),
+               mix(high[c.index], high[c.index + 1], c.fraction), r.fraction);
+  };
+  const float whole = read(whole_, positionIn(maskingCoordinate(cosine, alpha), kCosines));
+  const float bias = whole * read(biasShare_, positionIn(fresnelCoordinate(cosine), kCosines));
+  return {whole - bias, bias};
 }
 
 SpecularAlbedo SpecularAlbedoTable::average(float roughness) const {
-  const Position r = positionIn(roughness, kRoughnesses);
-  return mix(average_[r.index], average_[r.index + 1], r.fraction);
+  const Position r = positionIn(roughnessCoordinate(roughness), kAverages);
+  const SpecularAlbedo& low = average_[r.index];
+  const SpecularAlbedo& high = average_[r.index + 1];
+  return {mix(low.scale, high.scale, r.fraction), mix(low.bias, high.bias, r.fraction)};
 }
 
 BoundaryAlbedoTable::BoundaryAlbedoTable() : values_(kIors * kRoughnesses * kCosines) {
   for (std::size_t i = 0; i < kIors; ++i) {
     for (std::size_t r = 0; r < kRoughnesses; ++r) {
+      const float roughness = roughnessOf(r, kRoughnesses);
       for (std::size_t c = 0; c < kCosines; ++c) {
-        values_[(i * kRoughnesses + r) * kCosines + c] =
-            integrateBoundary(cosineOf(c, kCosines), unitOf(r, kRoughnesses), iorOf(i, kIors));
+        values_[(i * kRoughnesses + r) * kCosines + c] = integrateBoundary(
+            cosineAtMasking(unitOf(c, kCosines), alphaOf(roughness)), roughness, iorOf(i, kIors));
       }
     }
   }
@@ -140,15 +215,16 @@ BoundaryAlbedoTable::BoundaryAlbedoTable() : values_(kIors * kRoughnesses * kCos
 
 float BoundaryAlbedoTable::directional(float cosine, float roughness, float relativeIor) const {
   const Position i = positionIn((relativeIor - 1.0f) / (relativeIor + 1.0f) + 0.5f, kIors);
-  const Position r = positionIn(roughness, kRoughnesses);
-  const Position c = positionIn(std::sqrt(std::clamp(cosine, 0.0f, 1.0f)), kCosines);
+  const Position r = positionIn(roughnessCoordinate(roughness), kRoughnesses);
+  const Position c =
+      positionIn(maskingCoordinate(cosine, alphaOf(std::max(roughness, kSmallestRoughness))), kCosines);
   const auto alongCosine = [&](std::size_t ior, std::size_t roughnessIndex) {
-    return std::lerp(at(ior, roughnessIndex, c.index), at(ior, roughnessIndex, c.index + 1), c.fraction);
+    return mix(at(ior, roughnessIndex, c.index), at(ior, roughnessIndex, c.index + 1), c.fraction);
   };
   const auto alongRoughness = [&](std::size_t ior) {
-    return std::lerp(alongCosine(ior, r.index), alongCosine(ior, r.index + 1), r.fraction);
+    return mix(alongCosine(ior, r.index), alongCosine(ior, r.index + 1), r.fraction);
   };
-  return std::lerp(alongRoughness(i.index), alongRoughness(i.index + 1), i.fraction);
+  return mix(alongRoughness(i.index), alongRoughness(i.index + 1), i.fraction);
 }
 
 const SpecularAlbedoTable& specularAlbedoTable() {

@@ -28,9 +28,12 @@ class SpecularAlbedoTable {
 
  private:
   static constexpr std::size_t kCosines = 48;
-  static constexpr std::size_t kRoughnesses = 33;
-  std::array<std::array<SpecularAlbedo, kCosines>, kRoughnesses> directional_;
-  std::array<SpecularAlbedo, kRoughnesses> average_;
+  static constexpr std::size_t kRoughnesses = 32;
+  static constexpr std::size_t kAverages = 128;
+  using Table = std::array<std::array<float, kCosines>, kRoughnesses>;
+  Table whole_;      ///< over cosines relative to alpha
+  Table biasShare_;  ///< bias over whole, over cosines
+  std::array<SpecularAlbedo, kAverages> average_;
 };
 
 /// The share of light that a rough dielectric boundary reflects and refracts together in single scattering;
@@ -42,8 +45,8 @@ class BoundaryAlbedoTable {
   [[nodiscard]] float directional(float cosine, float roughness, float relativeIor) const;
 
  private:
-  static constexpr std::size_t kCosines = 16;
-  static constexpr std::size_t kRoughnesses = 17;
+  static constexpr std::size_t kCosines = 24;
+  static constexpr std::size_t kRoughnesses = 20;
   static constexpr std::size_t kIors = 17;
   [[nodiscard]] float at(std::size_t ior, std::size_t roughness, std::size_t cosine) const {
     return values_[(ior * kRoughnesses + roughness) * kCosines + cosine];
