@@ -1,0 +1,138 @@
+#include "src/render/sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace promenade::render {
+namespace {
+
+/// The pair with number `dimension` (from 0) of a path.
+glm::vec2 pairOf(const Sampler::Stream& stream, std::uint32_t path, int dimension) {
+  Sampler sampler(stream, path);
+  glm::vec2 pair = sampler.next2D();
+  for (int i = 0; i < dimension; ++i) pair = sampler.next2D();
+  return pair;
+}
+
+/// Every elementary interval of area 2^-k (2^a columns by 2^(k-a) rows) must hold exactly one of the 2^k
+/// points.
+void expectStratified(const Sampler::Stream& stream, std::uint32_t firstPath, int k, int dimension) {
+  const std::uint32_t count = 1u << k;
+  for (int a = 0; a <= k; ++a) {
+    const auto columns = static_cast<float>(1u << a);
+    const auto rows = static_cast<float>(1u << (k - a));
+    std::vector<int> hits(count, 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const glm::vec2 p = pairOf(stream, firstPath + i, dimension);
+      const auto cell =
+          static_cast<std::size_t>(std::floor(p.y * rows) * columns + std::floor(p.x * columns));
+      ++hits[cell];
+    }
+    for (const int h : hits) ASSERT_EQ(h, 1) << "k " << k << ", " << columns << " columns";
+  }
+}
+
+TEST(Sampler, PutsOnePathIntoEveryElementaryInterval) {
+  for (const int k : {0, 1, 4, 7, 10}) {
+    for (const int dimension : {0, 1, 13}) expectStratified({{17, 3}, 5, 1}, 0, k, dimension);
+  }
+}
+
+TEST(Sampler, StratifiesEveryAlignedBlockOfPathsForItself) {
+  for (const std::uint32_t block : {1u, 2u, 7u}) expectStratified({{2, 900}, 0, 9}, block * 64, 6, 2);
+}
+
+TEST(Sampler, StratifiesSingleDimensions) {
+  std::vector<int> hits(128, 0);
+  for (std::uint32_t path = 0; path < 128; ++path) {
+    Sampler sampler({{4, 4}, 0, 0}, path);
+    static_cast<void>(sampler.next2D());
+    ++hits[static_cast<std::size_t>(sampler.next1D() * 128.0f)];
+  }
+  for (const int h : hits) EXPECT_EQ(h, 1);
+}
+
+TEST(Sampler, StaysBelowOne) {
+  for (std::uint32_t path = 0; path < 100000; ++path) {
+    Sampler sampler({{0, 0}, 0, 0}, path * 40503u);
+    const glm::vec2 p = sampler.next2D();
+    ASSERT_GE(p.x, 0.0f);
+    ASSERT_LT(p.x, 1.0f);
+    ASSERT_GE(p.y, 0.0f);
+    ASSERT_LT(p.y, 1.0f);
+  }
+}
+
+TEST(Sampler, GivesTheSameNumbersForTheSameArguments) {
+  Sampler a({{10, 20}, 30, 40}, 50);
+  Sampler b({{10, 20}, 30, 40}, 50);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(a.next1D(), b.next1D());
+    EXPECT_EQ(a.next2D(), b.next2D());
+  }
+}
+
+TEST(Sampler, ConvergesMuchFasterThanRandomNumbers) {
+  // The integral of 4 x y over the unit square is 1, its variance as a random variable 16 / 9 - 1 = 7 / 9, so
+  // the mean of 256 random points has a standard error of sqrt(7 / 9 / 256) = 0.0551. Scrambled nets come to
+  // O(n^-3/2).
+  constexpr std::uint32_t kPaths = 256;
+  constexpr std::uint32_t kPixels = 400;
+  double squares = 0.0;
+  double bias = 0.0;
+  for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+    double sum = 0.0;
+    for (std::uint32_t path = 0; path < kPaths; ++path) {
+      const glm::vec2 p = pairOf({{pixel % 20, pixel / 20}, 0, 0}, path, 1);
+      sum += 4.0 * p.x * p.y;
+    }
+    const double error = sum / kPaths - 1.0;
+    squares += error * error;
+    bias += error;
+  }
+  const double rmse = std::sqrt(squares / kPixels);
+  EXPECT_LT(rmse, 0.0551 / 20.0);
+  EXPECT_LT(std::abs(bias / kPixels), 4.0 * rmse / std::sqrt(double{kPixels})) << "unbiased over scramblings";
+}
+
+double covariance(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - 0.5) * (b[i] - 0.5);
+  return sum / static_cast<double>(a.size());
+}
+
+TEST(Sampler, DecorrelatesPixelsFramesSeedsPathsAndDimensions) {
+  constexpr std::uint32_t kSide = 160;
+  std::vector<float> here, right, below, later, otherSeed, nextDimension, second, nextPath;
+  for (std::uint32_t y = 0; y < kSide; ++y) {
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      const glm::vec2 p = pairOf({{x, y}, 7, 0}, 0, 0);
+      here.push_back(p.x);
+      second.push_back(p.y);
+      right.push_back(pairOf({{x + 1, y}, 7, 0}, 0, 0).x);
+      below.push_back(pairOf({{x, y + 1}, 7, 0}, 0, 0).x);
+      later.push_back(pairOf({{x, y}, 8, 0}, 0, 0).x);
+      otherSeed.push_back(pairOf({{x, y}, 7, 1}, 0, 0).x);
+      nextDimension.push_back(pairOf({{x, y}, 7, 0}, 0, 1).x);
+      nextPath.push_back(pairOf({{x, y}, 7, 0}, 2, 0).x);
+    }
+  }
+  // Products of independent uniform numbers about their mean have standard deviation 1 / 12, their average
+  // over n pixels 1 / (12 sqrt(n)); paths 0 and 2 of one stream are stratified and so not quite independent.
+  const double limit = 4.5 / (12.0 * kSide);
+  EXPECT_NEAR(covariance(here, here), 1.0 / 12.0, 0.002);
+  EXPECT_LT(std::abs(covariance(here, second)), limit);
+  EXPECT_LT(std::abs(covariance(here, right)), limit);
+  EXPECT_LT(std::abs(covariance(here, below)), limit);
+  EXPECT_LT(std::abs(covariance(here, later)), limit);
+  EXPECT_LT(std::abs(covariance(here, otherSeed)), limit);
+  EXPECT_LT(std::abs(covariance(here, nextDimension)), limit);
+  EXPECT_LT(std::abs(covariance(here, nextPath)), 1.0 / 12.0 * 0.7);
+}
+
+}  // namespace
+}  // namespace promenade::render
