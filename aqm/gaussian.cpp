@@ -12,7 +12,7 @@ namespace promenade::aqm {
 namespace hn = hwy::HWY_NAMESPACE;
 
 GaussianKernel::GaussianKernel(double sigmaPixels) {
-  const int radius = static_cast<int>(3.0 * sigmaPixels + 0.5);
+  const int radius = static_cast<int>(std::floor(3.0 * sigmaPixels + 0.5));
   std::vector<double> weights(static_cast<std::size_t>(radius) + 1);
   double sum = 0.0;
   for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -61,6 +61,7 @@ void GaussianKernel::weightedSum(const float* const* taps, float* out, int count
 ExtendedRow::ExtendedRow(int width, int radius, Border border)
     : width_(width),
       radius_(radius),
+      offset_(static_cast<std::ptrdiff_t>((radius + kPlaneUnit - 1) / kPlaneUnit) * kPlaneUnit),
       border_(border),
       // Two units more than the samples take, so that the last whole vector of the last tap lies inside.
       buffer_(width + 2 * (radius + kPlaneUnit) + kPlaneUnit, 1) {
@@ -80,7 +81,7 @@ void ExtendedRow::extend() {
 std::vector<const float*> columnTaps(const Plane<float>& plane, int y, int radius, Border border,
                                      const float* zeroRow) {
   std::vector<const float*> taps;
-  taps.reserve(static_cast<std::size_t>(2 * radius + 1));
+  taps.reserve(2 * static_cast<std::size_t>(radius) + 1);
   for (int t = y - radius; t <= y + radius; ++t) {
     const bool isOutside = t < 0 || t >= plane.height();
     taps.push_back(isOutside && border == Border::kZero ? zeroRow : plane.row(reflected(t, plane.height())));

@@ -2,6 +2,7 @@
 // Separable Gaussian low-pass filters. Pooling and masking differ in what they assume beyond the border of
 // the image.
 
+#include <cstddef>
 #include <vector>
 
 #include "aqm/plane.h"
@@ -38,7 +39,7 @@ class ExtendedRow {
   ExtendedRow(int width, int radius, Border border);
 
   /// The row itself: rounded up to whole units of kPlaneUnit elements. Write it, then call extend().
-  float* samples() { return buffer_.row(0) + kPlaneUnit * ((radius_ + kPlaneUnit - 1) / kPlaneUnit); }
+  float* samples() { return buffer_.row(0) + offset_; }
   /// Fills in what lies beyond the border.
   void extend();
   /// For GaussianKernel::weightedSum along the row.
@@ -47,6 +48,7 @@ class ExtendedRow {
  private:
   int width_ = 0;
   int radius_ = 0;
+  std::ptrdiff_t offset_ = 0;  ///< of the row in the buffer, whole units, so that it is aligned
   Border border_ = Border::kReflect;
   Plane<float> buffer_;
   std::vector<const float*> taps_;

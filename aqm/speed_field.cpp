@@ -25,9 +25,11 @@ VelocityMap retinalVelocities(const VelocityMap& imageVelocity) {
 }
 
 SpeedField speedField(const VelocityMap& retinal, Size image, int orientation) {
-  SpeedField field{Plane<float>(image.width, image.height), Plane<float>(image.width, image.height),
-                   Plane<float>(image.width, image.height),
-                   std::vector<std::uint32_t>(static_cast<std::size_t>(image.height)), 0};
+  SpeedField field;
+  for (Plane<float>* plane : {&field.speed, &field.octave, &field.gain}) {
+    *plane = Plane<float>(image.width, image.height);
+  }
+  field.levelsOfRow.resize(static_cast<std::size_t>(image.height));
   const auto driftGain = static_cast<float>(speedGain(kDriftSpeed));
   tbb::parallel_for(0, image.height, [&](int y) {
     std::uint32_t levels = 0;

@@ -113,20 +113,27 @@ class Gather {
     return footprint <= footprintLimit_ ? Validity::kValid : Validity::kUndersampled;
   }
 
+  /// Precondition: the nearest sample agrees.
   [[nodiscard]] LayeredRadiance reconstruct(const Between& at, const SurfacePoint& point) const {
-    const bool onSample = at.fraction.x == 0.0f && at.fraction.y == 0.0f;
-    // The nearest sample agrees, and all 16 lie on one smooth surface with it.
-    if (!onSample && surface_.isSmoothBlock(at.x, at.y)) return catmullRom(source_, at);
-    auto weights = bilinearWeights(at);
-    for (int k = 0; k < 4; ++k) {
-      float& weight = weights[static_cast<std::size_t>(k)];
-      const int x = at.x + (k & 1);
-      const int y = at.y + (k >> 1);
-      const bool counts =
-          weight > 0.0f && surface_.contains(x, y) && surface_.isTraced(x, y) && surface_.agrees(x, y, point);
-      if (!counts) weight = 0.0f;
+    // On a sample: that sample bit for bit.
+    if (at.fraction == glm::vec2(0.0f))
+      return {source_.diffuse(at.x, at.y), source_.viewDependent(at.x, at.y)};
+    // All 16 lie on one smooth surface with the nearest.
+    if (surface_.isSmoothBlock(at.x, at.y)) return catmullRom(source_, at);
+    const Neighbours agreeing = usable(at, point);
+    return (agreeing & kInnerNeighbours) == kInnerNeighbours ? catmullRomBesideEdge(source_, at, agreeing)
+                                                             : linearFit(source_, at, agreeing);
+  }
+
+  [[nodiscard]] Neighbours usable(const Between& at, const SurfacePoint& point) const {
+    unsigned found = 0;
+    for (int k = 0; k < 16; ++k) {
+      const int x = at.x - 1 + k % 4;
+      const int y = at.y - 1 + k / 4;
+      if (surface_.contains(x, y) && surface_.isTraced(x, y) && surface_.agrees(x, y, point))
+        found |= 1U << k;
     }
-    return weightedMean(source_, at, weights);
+    return static_cast<Neighbours>(found);
   }
 
   const Frame& source_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "src/app/displays.h"
 #include "src/app/fingerprint.h"
@@ -14,6 +15,7 @@
 #include "src/io/environment.h"
 #include "src/io/path_file.h"
 #include "src/io/video.h"
+#include "src/scene/sky.h"
 
 namespace promenade::app {
 namespace {
@@ -24,12 +26,13 @@ std::uint64_t seedFrom(const std::string& text) {
 
 // A clear sky of turbidity 3.
 Environment skyFrom(const std::string& sun) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
   const glm::dvec2 degrees(pairFrom(sun, "--sun"));
   if (!(degrees.x >= 0.0 && degrees.x <= 90.0 && std::abs(degrees.y) <= 360.0)) {
     throw InputError("--sun: expected an elevation from 0 to 90 and an azimuth within 360 degrees, found '" +
                      printable(sun) + "'");
   }
-  throw InputError("--sky: not available yet; use --environment");
+  return clearSky(degrees.x * kDegree, degrees.y * kDegree, 3.0);
 }
 
 }  // namespace

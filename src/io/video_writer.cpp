@@ -1,16 +1,13 @@
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <utility>
 
 #include "src/core/errors.h"
 #include "src/io/atomic_file.h"
-#include "src/io/bytes.h"
 #include "src/io/file_error.h"
 #include "src/io/libav.h"
-#include "src/io/palette.h"
 #include "src/io/video.h"
-#include "src/io/yuv420.h"
+#include "src/io/video_pixels.h"
 
 extern "C" {
 #include <libavutil/opt.h>
@@ -42,19 +39,6 @@ EncoderChoice choiceFor(VideoFormat format) {
   throw InputError("unknown video format");
 }
 
-Size codedSize(VideoFormat format, Size size) {
-  switch (format) {
-    case VideoFormat::kH264:
-    case VideoFormat::kVp9:
-      return evenSize(size);
-    case VideoFormat::kFfv1:  // FFmpeg 5.1 writes black for a side of one pixel
-      return {std::max(size.width, 2), std::max(size.height, 2)};
-    case VideoFormat::kGif:
-      return size;
-  }
-  return size;
-}
-
 std::string sizeText(Size size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
@@ -68,47 +52,13 @@ struct MuxerDelete {
 };
 using Muxer = std::unique_ptr<AVFormatContext, MuxerDelete>;
 
-void copyPlane(AVFrame& frame, int plane, const std::uint8_t* from, std::size_t rowBytes, int rows) {
-  for (int y = 0; y < rows; ++y) {
-    std::memcpy(frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane],
-                from + static_cast<std::size_t>(y) * rowBytes, rowBytes);
-  }
-}
-
-void fill(AVFrame& target, const EncodedMap& image) {
-  const auto width = static_cast<std::size_t>(target.width);
-  switch (target.format) {
-    case AV_PIX_FMT_YUV420P: {
-      const Yuv420 yuv = toYuv420(image);
-      copyPlane(target, 0, yuv.y.data(), width, target.height);
-      copyPlane(target, 1, yuv.cb.data(), width / 2, target.height / 2);
-      copyPlane(target, 2, yuv.cr.data(), width / 2, target.height / 2);
-      break;
-    }
-    case AV_PIX_FMT_BGR0:
-      for (int y = 0; y < target.height; ++y) {
-        std::uint8_t* out = target.data[0] + static_cast<std::ptrdiff_t>(y) * target.linesize[0];
-        for (int x = 0; x < target.width; ++x) {
-          const Rgb& code = image(std::min(x, image.width() - 1), std::min(y, image.height() - 1));
-          *out++ = toByte(code.b);
-          *out++ = toByte(code.g);
-          *out++ = toByte(code.r);
-          *out++ = 0;
-        }
-      }
-      break;
-    default: {  // AV_PIX_FMT_PAL8
-      copyPlane(target, 0, toPalette(image).data(), width, target.height);
-      const auto palette = fixedPalette();
-      std::memcpy(target.data[1], palette.data(), sizeof palette);
-    }
-  }
-}
-
 }  // namespace
 
 struct VideoWriter::State {
   State(const fs::path& path, Size frameSize, FrameRate frameRate);
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State();
   void write(const EncodedMap& image);
   void finish();
 
@@ -127,6 +77,7 @@ struct VideoWriter::State {
   Packet packet_;
   AVStream* stream_ = nullptr;
   std::int64_t frames_ = 0;
+  bool open_ = false;  // between the container's header and its trailer
 };
 
 void VideoWriter::State::check(int result, const char* action) const {
@@ -180,6 +131,7 @@ VideoWriter::State::State(const fs::path& path, Size frameSize, FrameRate frameR
   const int headerResult = avformat_write_header(muxer_.get(), &options);
   av_dict_free(&options);
   check(headerResult, "write the header");
+  open_ = true;
 
   frame_ = allocated<VideoFrame>(av_frame_alloc());
   frame_->format = codec_->pix_fmt;
@@ -192,6 +144,12 @@ VideoWriter::State::State(const fs::path& path, Size frameSize, FrameRate frameR
   frame_->chroma_location = codec_->chroma_sample_location;
   check(av_frame_get_buffer(frame_.get(), 0), "allocate a frame");
   packet_ = allocated<Packet>(av_packet_alloc());
+}
+
+VideoWriter::State::~State() {
+  // Some muxers give back their memory only here. The file is about to be removed: how it goes does not
+  // matter.
+  if (open_) (void)av_write_trailer(muxer_.get());
 }
 
 void VideoWriter::State::configure(const EncoderChoice& choice, FrameRate frameRate) {
@@ -260,7 +218,7 @@ void VideoWriter::State::write(const EncodedMap& image) {
                                                      sizeText(image.size()));
   }
   check(av_frame_make_writable(frame_.get()), "allocate a frame");
-  fill(*frame_, image);
+  fillFrame(*frame_, image);
   frame_->pts = frames_++;
   encode(frame_.get());
 }
@@ -269,6 +227,7 @@ void VideoWriter::State::finish() {
   if (frames_ == 0)
     throw InputError(file_.finalPath().string(), "expected at least one frame to encode, found none");
   encode(nullptr);
+  open_ = false;
   check(av_write_trailer(muxer_.get()), "write");
   avio_flush(muxer_->pb);
   check(0, "write");

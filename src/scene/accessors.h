@@ -2,6 +2,7 @@
 // Internal: typed, bounds-checked reading of accessors (glTF 2.0, 3.6), sparse and interleaved ones included.
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -31,6 +32,8 @@ class Accessors {
   [[nodiscard]] std::vector<glm::vec2> readVec2(int accessor, const std::string& place) const;
   [[nodiscard]] std::vector<glm::vec3> readVec3(int accessor, const std::string& place) const;
   [[nodiscard]] std::vector<glm::vec4> readVec4(int accessor, const std::string& place) const;
+  /// Float matrices, as inverse bind matrices are.
+  [[nodiscard]] std::vector<glm::mat4> readMat4(int accessor, const std::string& place) const;
   /// VEC4, or VEC3 with w = 1 (colours).
   [[nodiscard]] std::vector<glm::vec4> readColors(int accessor, const std::string& place) const;
   /// Unsigned integer scalars.

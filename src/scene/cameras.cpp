@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <set>
+#include <unordered_map>
 
 #include "src/scene/placement.h"
 #include "src/scene/values.h"
@@ -36,25 +38,28 @@ class CameraReader {
         gltf_.fail("cameras", "more than " + std::to_string(kMostCameras) + " are placed in the scene");
       }
     }
-    std::vector<CameraAnimation> result = atRest;
     checkChannels();
+    std::vector<CameraAnimation> result = atRest;
+    const CamerasOnNode camerasOn = findCamerasOn(placedAt);
     for (const tinygltf::Animation& animation : gltf_.model.animations) {
       const ChannelsOfNode channels = channelsByNode(animation);
-      for (std::size_t i = 0; i < atRest.size(); ++i) {
-        CameraAnimation moved = atRest[i];
-        if (animate(moved, placedAt[i], animation, channels)) {
-          // Never empty: that would say "at rest".
-          moved.name = animation.name.empty()
-                           ? "animation " + std::to_string(&animation - gltf_.model.animations.data())
-                           : printable(animation.name);
-          result.push_back(std::move(moved));
-        }
+      for (const std::size_t camera : movedCameras(channels, camerasOn)) {
+        budget_.chargeGeometry(atRest[camera].rootToCamera.size(), sizeof(AnimatedNode));
+        CameraAnimation& moved = result.emplace_back(atRest[camera]);
+        // Never empty: that would say "at rest".
+        moved.name = animation.name.empty()
+                         ? "animation " + std::to_string(&animation - gltf_.model.animations.data())
+                         : printable(animation.name);
+        animate(moved, placedAt[camera], animation, channels);
       }
     }
     return result;
   }
 
  private:
+  /// For each node of the file, the cameras (indices into those at rest) on or below it.
+  using CamerasOnNode = std::unordered_map<int, std::vector<std::size_t>>;
+  /// Channels that move nodes, by node.
   using ChannelsOfNode = std::map<int, std::vector<const tinygltf::AnimationChannel*>>;
 
   [[nodiscard]] const tinygltf::Node& sourceOf(const PlacedNode& placed) const {
@@ -129,18 +134,43 @@ class CameraReader {
     }
   }
 
-  [[nodiscard]] static ChannelsOfNode channelsByNode(const tinygltf::Animation& animation) {
-    ChannelsOfNode result;
-    for (const tinygltf::AnimationChannel& channel : animation.channels) {
-      result[channel.target_node].push_back(&channel);
+  /// No larger than all chains together, which the budget has counted.
+  [[nodiscard]] CamerasOnNode findCamerasOn(const std::vector<std::size_t>& placedAt) const {
+    CamerasOnNode result;
+    for (std::size_t camera = 0; camera < placedAt.size(); ++camera) {
+      for (int i = static_cast<int>(placedAt[camera]); i != -1;
+           i = nodes_[static_cast<std::size_t>(i)].parent) {
+        result[nodes_[static_cast<std::size_t>(i)].node].push_back(camera);
+      }
     }
     return result;
   }
 
-  /// Puts the animation's tracks on the camera's chain; false if none of them is for it.
-  [[nodiscard]] bool animate(CameraAnimation& camera, std::size_t placed,
-                             const tinygltf::Animation& animation, const ChannelsOfNode& channels) {
-    bool moved = false;
+  [[nodiscard]] static ChannelsOfNode channelsByNode(const tinygltf::Animation& animation) {
+    ChannelsOfNode result;
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      const std::string& path = channel.target_path;
+      if (path == "translation" || path == "rotation" || path == "scale") {
+        result[channel.target_node].push_back(&channel);
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] static std::set<std::size_t> movedCameras(const ChannelsOfNode& channels,
+                                                          const CamerasOnNode& camerasOn) {
+    std::set<std::size_t> result;
+    for (const auto& [node, ignored] : channels) {
+      if (const auto found = camerasOn.find(node); found != camerasOn.end()) {
+        result.insert(found->second.begin(), found->second.end());
+      }
+    }
+    return result;
+  }
+
+  /// Puts the animation's tracks on the camera's chain.
+  void animate(CameraAnimation& camera, std::size_t placed, const tinygltf::Animation& animation,
+               const ChannelsOfNode& channels) const {
     auto node = camera.rootToCamera.rbegin();
     for (int i = static_cast<int>(placed); i != -1; i = nodes_[static_cast<std::size_t>(i)].parent, ++node) {
       const PlacedNode& step = nodes_[static_cast<std::size_t>(i)];
@@ -149,15 +179,13 @@ class CameraReader {
         continue;
       }
       for (const tinygltf::AnimationChannel* channel : found->second) {
-        moved = readChannel(*node, step, animation, *channel) || moved;
+        readChannel(*node, step, animation, *channel);
       }
     }
-    return moved;
   }
 
-  [[nodiscard]] bool readChannel(AnimatedNode& node, const PlacedNode& placed,
-                                 const tinygltf::Animation& animation,
-                                 const tinygltf::AnimationChannel& channel) {
+  void readChannel(AnimatedNode& node, const PlacedNode& placed, const tinygltf::Animation& animation,
+                   const tinygltf::AnimationChannel& channel) const {
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
     const std::string place =
         at("animations", static_cast<std::size_t>(&animation - gltf_.model.animations.data())) +
@@ -170,12 +198,9 @@ class CameraReader {
           readTrack(sampler, place, accessors_.readVec3(sampler.output, place + ".output"));
     } else if (channel.target_path == "rotation") {
       node.rotationTrack = readTrack(sampler, place, accessors_.readVec4(sampler.output, place + ".output"));
-    } else if (channel.target_path == "scale") {
-      node.scaleTrack = readTrack(sampler, place, accessors_.readVec3(sampler.output, place + ".output"));
     } else {
-      return false;  // weights, or a path of an extension
+      node.scaleTrack = readTrack(sampler, place, accessors_.readVec3(sampler.output, place + ".output"));
     }
-    return true;
   }
 
   template <class Value>

@@ -6,6 +6,7 @@
 
 #include "src/core/errors.h"
 #include "src/scene/json_types.h"
+#include "src/scene/references.h"
 
 namespace promenade::scene {
 namespace {
@@ -26,6 +27,10 @@ constexpr std::array<std::string_view, 16> kSupported = {
 bool isSupported(std::string_view extension) {
   return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
 }
+
+/// Of these, only the name matters: see checkCompression().
+constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
+constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 
 /// Refuses deep nesting before any parser meets it.
 void checkNesting(std::string_view text, const std::string& source) {
@@ -102,6 +107,35 @@ void checkExtensions(const json& document, const std::string& source, Warnings& 
   }
 }
 
+/// Draco and meshopt may be used without being required, where the file has plain data to fall back on. Where
+/// it has none, the extension is what is missing, not the data.
+void checkCompression(const json& document, const std::string& source) {
+  const auto refuse = [&](std::string_view extension) {
+    throw InputError(source, "its data are compressed by the extension " + inQuotes(extension) +
+                                 ", which is not supported");
+  };
+  for (const json& buffer : document.value("buffers", json::array())) {
+    if (!buffer.contains("uri") && buffer.value("extensions", json::object()).contains(kMeshopt)) {
+      refuse(kMeshopt);
+    }
+  }
+  const auto accessors = document.find("accessors");
+  const auto hasData = [&](const json& accessor) {
+    const std::size_t index = accessor.is_number_unsigned() ? accessor.get<std::size_t>() : SIZE_MAX;
+    return accessors == document.end() || index >= accessors->size() ||
+           (*accessors)[index].contains("bufferView");
+  };
+  for (const json& mesh : document.value("meshes", json::array())) {
+    for (const json& primitive : mesh.value("primitives", json::array())) {
+      if (primitive.value("extensions", json::object()).contains(kDraco) &&
+          primitive.contains("attributes") && primitive["attributes"].contains("POSITION") &&
+          !hasData(primitive["attributes"]["POSITION"])) {
+        refuse(kDraco);
+      }
+    }
+  }
+}
+
 /// Removes what tinygltf need not see.
 void strip(json& value) {
   if (value.is_object()) {
@@ -109,7 +143,8 @@ void strip(json& value) {
     const auto extensions = value.find("extensions");
     if (extensions != value.end() && extensions->is_object()) {
       for (auto it = extensions->begin(); it != extensions->end();) {
-        it = isSupported(it.key()) ? std::next(it) : extensions->erase(it);
+        const bool keep = isSupported(it.key()) || it.key() == kDraco || it.key() == kMeshopt;
+        it = keep ? std::next(it) : extensions->erase(it);
       }
     }
   }
@@ -180,6 +215,21 @@ std::vector<ImageSource> takeImages(json& document, const std::string& source) {
   return images;
 }
 
+std::vector<SkinSource> takeSkins(json& document, const std::string& source) {
+  std::vector<SkinSource> skins;
+  if (!document.contains("skins")) {
+    return skins;
+  }
+  for (const json& skin : document["skins"]) {
+    if (!skin.contains("joints")) {
+      throw InputError(source, "skins[" + std::to_string(skins.size()) + "].joints: is missing");
+    }
+    skins.push_back({skin["joints"].get<std::vector<int>>(), skin.value("inverseBindMatrices", -1)});
+  }
+  document.erase("skins");
+  return skins;
+}
+
 }  // namespace
 
 Document prepareDocument(std::string_view text, const std::string& source, const LoadOptions& options,
@@ -194,10 +244,13 @@ Document prepareDocument(std::string_view text, const std::string& source, const
   strip(document);
   checkPropertyTypes(document, source);
   checkExtensions(document, source, warnings);
+  checkCompression(document, source);
+  checkReferences(document, source);
   dropChannelsWithoutNode(document);
   Document result;
   result.buffers = takeBuffers(document, source);
   result.images = takeImages(document, source);
+  result.skins = takeSkins(document, source);
   result.model = document.dump();
   return result;
 }

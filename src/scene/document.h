@@ -22,14 +22,22 @@ struct BufferSource {
 
 struct ImageSource {
   std::string name;
-  std::string uri;      ///< empty: bufferView
-  int bufferView = -1;  ///< not yet checked against the number of buffer views
+  std::string uri;  ///< empty: bufferView
+  int bufferView = -1;
+};
+
+struct SkinSource {
+  std::vector<int> joints;       ///< nodes
+  int inverseBindMatrices = -1;  ///< accessor; -1: identity
 };
 
 struct Document {
-  std::string model;  ///< JSON for tinygltf: no buffers, no images, no extras, only supported extensions
+  /// JSON for tinygltf: no buffers, images and skins (it refuses good ones), no extras, only supported
+  /// extensions.
+  std::string model;
   std::vector<BufferSource> buffers;
   std::vector<ImageSource> images;
+  std::vector<SkinSource> skins;
 };
 
 /// Throws InputError: not JSON, nested too deeply, not glTF 2, an extension that is required but not

@@ -30,10 +30,11 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& sourc
     throw InputError(source, "expected GLB version 2, found " + std::to_string(word(bytes, 4)));
   }
   const std::uint32_t length = word(bytes, 8);
-  if (length != bytes.size()) {
+  if (length > bytes.size()) {
     throw InputError(source, "the GLB header gives a length of " + std::to_string(length) +
                                  " bytes, the file has " + std::to_string(bytes.size()));
   }
+  bytes = bytes.first(length);  // what follows the container is ignored
   GlbChunks chunks;
   std::size_t at = 12;
   for (std::size_t index = 0; at < bytes.size(); ++index) {

@@ -18,10 +18,12 @@ namespace promenade::scene {
 
 struct Gltf {
   std::string source;
-  tinygltf::Model model;                              ///< without buffers and images
-  std::vector<std::shared_ptr<const Bytes>> buffers;  ///< each at least as long as its byteLength
+  tinygltf::Model model;  ///< without buffers and images
+  /// Each at least as long as its byteLength; null for a buffer without data.
+  std::vector<std::shared_ptr<const Bytes>> buffers;
   std::vector<BufferSource> bufferSources;
   std::vector<ImageSource> images;
+  std::vector<SkinSource> skins;
 
   [[noreturn]] void fail(const std::string& place, const std::string& what) const {
     throw InputError(source, place + ": " + what);

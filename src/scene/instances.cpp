@@ -3,6 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "src/scene/placement.h"
+#include "src/scene/skins.h"
 #include "src/scene/values.h"
 
 namespace promenade::scene {
@@ -90,6 +91,7 @@ std::vector<Instance> placeMeshes(const Gltf& gltf, const std::vector<PlacedNode
                                   const Accessors& accessors, MeshStore& meshes, Budget& budget,
                                   Warnings& warnings) {
   std::vector<Instance> instances;
+  SkinStore skins(gltf, nodes, accessors, warnings);
   std::size_t flat = 0;
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = gltf.model.nodes[static_cast<std::size_t>(placed.node)];
@@ -98,11 +100,12 @@ std::vector<Instance> placeMeshes(const Gltf& gltf, const std::vector<PlacedNode
     }
     const std::string place = at("nodes", static_cast<std::size_t>(placed.node));
     gltf.checkIndex(node.mesh, gltf.model.meshes.size(), place + ".mesh", "mesh");
+    Joints joints;
     if (node.skin >= 0) {
-      gltf.checkIndex(node.skin, gltf.model.skins.size(), place + ".skin", "skin");
-      warnings.add("skinned meshes are shown in the pose of their vertices, without their skins");
+      warnings.add("skinned meshes are shown at rest");
+      joints = skins.joints(node.skin, place + ".skin");
     }
-    const std::vector<int> shown = meshes.meshesOf(node);
+    const std::vector<int> shown = meshes.meshesOf(node, joints);
     if (shown.empty()) {
       continue;
     }
@@ -110,7 +113,8 @@ std::vector<Instance> placeMeshes(const Gltf& gltf, const std::vector<PlacedNode
     budget.chargeInstances(transforms.size() * shown.size());
     budget.chargeGeometry(transforms.size() * shown.size(), sizeof(Instance));
     for (const glm::dmat4& nodeFromObject : transforms) {
-      const glm::dmat4 worldFromObject = placed.worldFromNode * nodeFromObject;
+      // The transform of a skinned mesh's node does not count (glTF 2.0, 3.7.3.3).
+      const glm::dmat4 worldFromObject = joints ? nodeFromObject : placed.worldFromNode * nodeFromObject;
       const Placement placement = judge(worldFromObject);
       if (placement == Placement::kNotFinite) {
         gltf.fail(place, "an instance's transform is not finite or beyond 1e15");

@@ -70,10 +70,8 @@ void readBuffers(Gltf& gltf, SceneFiles& files, const std::shared_ptr<const Byte
       bytes = files.read(*source.uri, gltf.source + ": " + place + ".uri");
     } else if (isBinary && i == 0 && glbBinary) {
       bytes = glbBinary;
-    } else {
-      gltf.fail(place, "has no uri, and there is no binary chunk for it");
     }
-    if (bytes->size() < source.byteLength) {
+    if (bytes && bytes->size() < source.byteLength) {
       gltf.fail(place + ".byteLength", "expected at most the " + std::to_string(bytes->size()) +
                                            " bytes there are, found " + std::to_string(source.byteLength));
     }
@@ -102,6 +100,7 @@ Gltf readFiles(const std::filesystem::path& file, const LoadOptions& options, Bu
   gltf.model = parseModel(document.model, gltf.source);
   gltf.bufferSources = std::move(document.buffers);
   gltf.images = std::move(document.images);
+  gltf.skins = std::move(document.skins);
   readBuffers(gltf, files, glbBinary, binary);
   return gltf;
 }

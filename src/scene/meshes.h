@@ -1,12 +1,11 @@
 #pragma once
-// Internal: mesh primitives to triangle meshes.
+// Internal: the meshes of the scene, each made once.
 
 #include <map>
 #include <tuple>
 #include <vector>
 
-#include "src/scene/accessors.h"
-#include "src/scene/scene.h"
+#include "src/scene/primitives.h"
 
 namespace promenade::scene {
 
@@ -19,14 +18,15 @@ class MeshStore {
       : gltf_(gltf), accessors_(accessors), materials_(materials), budget_(budget), warnings_(warnings) {}
 
   /// Indices in Scene::meshes of the primitives of the mesh that `node` shows, without those that hold no
-  /// triangles. Precondition: the node's mesh index is good. Throws InputError.
-  [[nodiscard]] std::vector<int> meshesOf(const tinygltf::Node& node);
+  /// triangles. With `joints` (of the node's skin), meshes that are already in world space.
+  /// Precondition: the node's mesh and skin indices are good. Throws InputError.
+  [[nodiscard]] std::vector<int> meshesOf(const tinygltf::Node& node, const Joints& joints);
 
   [[nodiscard]] std::vector<Mesh> take() { return std::move(meshes_); }
 
  private:
-  // Mesh, primitive, morph target weights.
-  using Key = std::tuple<int, std::size_t, std::vector<double>>;
+  // Mesh, primitive, skin (-1: none), morph target weights.
+  using Key = std::tuple<int, std::size_t, int, std::vector<double>>;
 
   const Gltf& gltf_;
   const Accessors& accessors_;

@@ -1,0 +1,31 @@
+#pragma once
+// Internal: one mesh primitive to one triangle mesh.
+
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/scene/accessors.h"
+#include "src/scene/scene.h"
+
+namespace promenade::scene {
+
+/// worldFromBind of each joint; nothing for a mesh without skin.
+using Joints = std::optional<std::vector<glm::dmat4>>;
+
+/// What deforms a primitive at rest.
+struct Pose {
+  std::vector<double> weights;  ///< of the morph targets; empty: all zero
+  Joints joints;
+};
+
+/// `materials` are the file's, followed by the default material. Nothing (and a warning) if the primitive has
+/// no triangles. With joints the mesh is in world space. Throws InputError; `place` names the primitive.
+[[nodiscard]] std::optional<Mesh> readPrimitive(const Gltf& gltf, const Accessors& accessors,
+                                                const tinygltf::Primitive& primitive,
+                                                const std::string& place,
+                                                const std::vector<Material>& materials, const Pose& pose,
+                                                Budget& budget, Warnings& warnings);
+
+}  // namespace promenade::scene
