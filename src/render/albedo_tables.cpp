@@ -27,8 +27,11 @@ struct Quadrature {
   }
 };
 
-constexpr Quadrature kReflectionQuadrature{16, 64, 3};
+constexpr Quadrature kReflectionQuadrature{12, 48, 3};
 constexpr Quadrature kBoundaryQuadrature{16, 40, 2};
+
+/// On which side of the boundary the light is seen from.
+enum class BoundarySide { kThinner, kDenser };
 
 /// Position of a value in a table axis of `count` entries: the entry below and the fraction towards the next.
 struct Position {
@@ -142,10 +145,17 @@ float integrateBoundary(float cosine, float roughness, float relativeIor) {
   return static_cast<float>(sum / weights);
 }
 
-// The index of refraction runs over (n - 1) / (n + 1) in [-1/2, 1/2]: even in the normal reflectance's root.
-float iorOf(std::size_t index, std::size_t count) {
-  const float x = unitOf(index, count) - 0.5f;
-  return (1.0f + x) / (1.0f - x);
+// Where total reflection begins moves like the root of n - 1, and so does this axis, from 1 to 3 (or 1 / 3);
+// the two sides of 1 are tables of their own, because nothing is smooth across it.
+float iorCoordinate(float relativeIor) {
+  return std::sqrt(2.0f * std::abs(relativeIor - 1.0f) / (relativeIor + 1.0f));
+}
+
+float iorOf(std::size_t index, std::size_t count, BoundarySide side) {
+  const float coordinate = std::max(unitOf(index, count), 1e-2f);
+  const float x = 0.5f * coordinate * coordinate;
+  const float ior = (1.0f + x) / (1.0f - x);
+  return side == BoundarySide::kThinner ? ior : 1.0f / ior;
 }
 
 }  // namespace
@@ -201,30 +211,34 @@ SpecularAlbedo SpecularAlbedoTable::average(float roughness) const {
   return {mix(low.scale, high.scale, r.fraction), mix(low.bias, high.bias, r.fraction)};
 }
 
-BoundaryAlbedoTable::BoundaryAlbedoTable() : values_(kIors * kRoughnesses * kCosines) {
-  for (std::size_t i = 0; i < kIors; ++i) {
-    for (std::size_t r = 0; r < kRoughnesses; ++r) {
-      const float roughness = roughnessOf(r, kRoughnesses);
-      for (std::size_t c = 0; c < kCosines; ++c) {
-        values_[(i * kRoughnesses + r) * kCosines + c] = integrateBoundary(
-            cosineAtMasking(unitOf(c, kCosines), alphaOf(roughness)), roughness, iorOf(i, kIors));
+BoundaryAlbedoTable::BoundaryAlbedoTable() {
+  for (const BoundarySide side : {BoundarySide::kThinner, BoundarySide::kDenser}) {
+    for (std::size_t i = 0; i < kIors; ++i) {
+      for (std::size_t r = 0; r < kRoughnesses; ++r) {
+        const float roughness = roughnessOf(r, kRoughnesses);
+        for (std::size_t c = 0; c < kCosines; ++c) {
+          const float cosine = cosineAtMasking(unitOf(c, kCosines), alphaOf(roughness));
+          values_.push_back(integrateBoundary(cosine, roughness, iorOf(i, kIors, side)));
+        }
       }
     }
   }
 }
 
 float BoundaryAlbedoTable::directional(float cosine, float roughness, float relativeIor) const {
-  const Position i = positionIn((relativeIor - 1.0f) / (relativeIor + 1.0f) + 0.5f, kIors);
+  const float alpha = alphaOf(std::max(roughness, kSmallestRoughness));
+  const std::size_t side = relativeIor >= 1.0f ? 0 : kIors;
+  const Position i = positionIn(iorCoordinate(relativeIor), kIors);
   const Position r = positionIn(roughnessCoordinate(roughness), kRoughnesses);
-  const Position c =
-      positionIn(maskingCoordinate(cosine, alphaOf(std::max(roughness, kSmallestRoughness))), kCosines);
+  const Position c = positionIn(maskingCoordinate(cosine, alpha), kCosines);
   const auto alongCosine = [&](std::size_t ior, std::size_t roughnessIndex) {
-    return mix(at(ior, roughnessIndex, c.index), at(ior, roughnessIndex, c.index + 1), c.fraction);
+    const std::size_t entry = (ior * kRoughnesses + roughnessIndex) * kCosines + c.index;
+    return mix(values_[entry], values_[entry + 1], c.fraction);
   };
   const auto alongRoughness = [&](std::size_t ior) {
     return mix(alongCosine(ior, r.index), alongCosine(ior, r.index + 1), r.fraction);
   };
-  return mix(alongRoughness(i.index), alongRoughness(i.index + 1), i.fraction);
+  return mix(alongRoughness(side + i.index), alongRoughness(side + i.index + 1), i.fraction);
 }
 
 const SpecularAlbedoTable& specularAlbedoTable() {

@@ -28,7 +28,7 @@ class SpecularAlbedoTable {
 
  private:
   static constexpr std::size_t kCosines = 48;
-  static constexpr std::size_t kRoughnesses = 32;
+  static constexpr std::size_t kRoughnesses = 48;
   static constexpr std::size_t kAverages = 128;
   using Table = std::array<std::array<float, kCosines>, kRoughnesses>;
   Table whole_;      ///< over cosines relative to alpha
@@ -47,10 +47,7 @@ class BoundaryAlbedoTable {
  private:
   static constexpr std::size_t kCosines = 24;
   static constexpr std::size_t kRoughnesses = 20;
-  static constexpr std::size_t kIors = 17;
-  [[nodiscard]] float at(std::size_t ior, std::size_t roughness, std::size_t cosine) const {
-    return values_[(ior * kRoughnesses + roughness) * kCosines + cosine];
-  }
+  static constexpr std::size_t kIors = 10;
   std::vector<float> values_;
 };
 

@@ -123,7 +123,7 @@ class Surface {
   float chooseDown_;
 
   [[nodiscard]] float layerAlbedo(const SpecularAlbedo& albedo) const {
-    return albedo.of(layerF0_, dielectricF90_) + layerAgain_ * (1.0f - albedo.whole());
+    return std::min(albedo.of(layerF0_, dielectricF90_) + layerAgain_ * (1.0f - albedo.whole()), 1.0f);
   }
 };
 
@@ -157,7 +157,7 @@ Surface::Surface(const BsdfParameters& p, float cosOut)
   layerAgain_ = maxOf(dielectricAgain);
   againColor_ = dielectricAgain * layer;
   if (metal > 0.0f) againColor_ += multipleScatteringTint(base_, 1.0f, average_.whole()) * metal;
-  thinAgainColor_ = base_ * (thin_ * (1.0f - layerAgain_));
+  thinAgainColor_ = base_ * (thin_ * std::max(0.0f, 1.0f - layerAgain_));
   againScale_ = smooth_ ? 0.0f : (1.0f - out_.whole()) * overRest(average_.whole());
   if (refracting_ > 0.0f && !smooth_) {
     boundaryScale_ = 1.0f / boundaryAlbedoTable().directional(cosOut, roughness_, relativeIor_);
@@ -203,7 +203,8 @@ FacetColors Surface::facetColors(const glm::vec3& w, const glm::vec3& h) const {
   const float weight = schlickWeight(cosine);
   FacetColors colors{schlick(f0_, f90_, weight), Rgb(0.0f)};
   if (thin_ > 0.0f) {
-    colors.transmitted = base_ * (thin_ * (1.0f - (layerF0_ + (dielectricF90_ - layerF0_) * weight)));
+    colors.transmitted =
+        base_ * (thin_ * std::max(0.0f, 1.0f - layerF0_ - (dielectricF90_ - layerF0_) * weight));
   }
   if (refracting_ > 0.0f) {
     const Refraction refraction = refractThrough(w, h, relativeIor_);
@@ -212,7 +213,7 @@ FacetColors Surface::facetColors(const glm::vec3& w, const glm::vec3& h) const {
       const Rgb fresnel = schlick(dielectricF0_, dielectricF90_,
                                   boundarySchlickWeight(cosine, refraction.cosine, relativeIor_));
       colors.reflected += fresnel * scale;
-      colors.transmitted += base_ * (scale * (1.0f - maxOf(fresnel)));
+      colors.transmitted += base_ * (scale * std::max(0.0f, 1.0f - maxOf(fresnel)));
     } else {
       colors.reflected += Rgb(scale);
     }
@@ -363,7 +364,7 @@ BsdfAlbedo Surface::albedo(float cosOut) const {
                             ? schlick(dielectricF0_, dielectricF90_,
                                       boundarySchlickWeight(cosOut, refraction.cosine, relativeIor_))
                             : Rgb(1.0f);
-    result.viewDependent += refracting_ * (fresnel + base_ * (1.0f - maxOf(fresnel)));
+    result.viewDependent += refracting_ * (fresnel + base_ * std::max(0.0f, 1.0f - maxOf(fresnel)));
   }
   result.viewDependent = result.viewDependent * underCoat_ + Rgb(1.0f - underCoat_);
   return result;
