@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "src/core/errors.h"
-#include "src/io/exr_memory.h"
+#include "src/io/exr_memory_internal.h"
 #include "src/io/file_error.h"
 #include "src/io/image_limits.h"
 

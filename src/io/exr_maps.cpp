@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "src/io/exr_memory.h"
+#include "src/io/exr_memory_internal.h"
 
 namespace promenade::io {
 

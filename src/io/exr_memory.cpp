@@ -1,4 +1,4 @@
-#include "src/io/exr_memory.h"
+#include "src/io/exr_memory_internal.h"
 
 #include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>

@@ -1,4 +1,4 @@
-#include "src/io/libav.h"
+#include "src/io/libav_internal.h"
 
 #include <array>
 #include <cstdarg>

@@ -1,4 +1,4 @@
-#include "src/io/video_pixels.h"
+#include "src/io/video_pixels_internal.h"
 
 #include <algorithm>
 #include <cstring>

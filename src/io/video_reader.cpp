@@ -9,7 +9,7 @@
 #include "src/core/errors.h"
 #include "src/io/file_error.h"
 #include "src/io/image_limits.h"
-#include "src/io/libav.h"
+#include "src/io/libav_internal.h"
 #include "src/io/video.h"
 
 namespace promenade::io {

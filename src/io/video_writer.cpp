@@ -5,9 +5,9 @@
 #include "src/core/errors.h"
 #include "src/io/atomic_file.h"
 #include "src/io/file_error.h"
-#include "src/io/libav.h"
+#include "src/io/libav_internal.h"
 #include "src/io/video.h"
-#include "src/io/video_pixels.h"
+#include "src/io/video_pixels_internal.h"
 
 extern "C" {
 #include <libavutil/opt.h>

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "src/core/errors.h"
-#include "src/io/libav.h"
+#include "src/io/libav_internal.h"
 #include "tests/io/temp_folder.h"
 
 extern "C" {

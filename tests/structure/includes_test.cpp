@@ -130,7 +130,7 @@ TEST(Includes, KeepImageAndVideoLibrariesOutOfPublicHeaders) {
 }
 
 TEST(Includes, KeepFilesAndTheTerminalOutOfTheOtherFolders) {
-  for (const std::string& folder : {"src/core", "src/render", "src/walkthrough", "aqm", "ibr", "paths"}) {
+  for (const std::string folder : {"src/core", "src/render", "src/walkthrough", "aqm", "ibr", "paths"}) {
     for (const Include& include : includesBelow(folder)) {
       EXPECT_FALSE(startsWithAny(include.target, {"fstream", "iostream", "cstdio", "stdio.h", "filesystem"}))
           << include.file << " includes " << include.target;

@@ -2,7 +2,7 @@
 // Private to src/io: pictures in the pixel formats of the encoders.
 
 #include "src/core/image.h"
-#include "src/io/libav.h"
+#include "src/io/libav_internal.h"
 #include "src/io/video.h"
 
 namespace promenade::io {
