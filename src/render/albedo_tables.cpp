@@ -33,51 +33,25 @@ constexpr Quadrature kBoundaryQuadrature{16, 40, 2};
 /// On which side of the boundary the light is seen from.
 enum class BoundarySide { kThinner, kDenser };
 
-/// Position of a value in a table axis of `count` entries: the entry below and the fraction towards the next.
-struct Position {
-  std::size_t index;
-  float fraction;
-};
-
-Position positionIn(float unit, std::size_t count) {
-  const float scaled = std::clamp(unit, 0.0f, 1.0f) * static_cast<float>(count - 1);
-  const auto index = std::min(static_cast<std::size_t>(scaled), count - 2);
-  return {index, scaled - static_cast<float>(index)};
-}
-
 float unitOf(std::size_t index, std::size_t count) {
   return static_cast<float>(index) / static_cast<float>(count - 1);
 }
 
-// Masking depends on the cosine over alpha: this axis has its entries where the albedo changes at every
-// roughness (the root, for the steep rise at grazing angles), and between two roughnesses like is mixed with
-// like.
-float maskingCoordinate(float cosine, float alpha) {
-  return std::sqrt(cosine * (1.0f + alpha) / (cosine + alpha));
-}
-
-// Fresnel's weight depends on the cosine alone, most of all at grazing angles.
-float fresnelCoordinate(float cosine) {
-  return std::sqrt(cosine);
-}
-
-// Rougher than this is what users look up (smoother is a mirror to them). The axis is the root of the
-// roughness: the scale of things is alpha, its fourth power, and entries should not be many times apart.
-constexpr float kSmallestRoughness = 0.02f;
-
+// Smoother surfaces than kSmoothRoughness are not looked up. The axis is the root of the roughness: the scale
+// of things is alpha, its fourth power, and entries should not be many times apart.
 float alphaOf(float roughness) {
   return roughness * roughness;
 }
 
 float roughnessCoordinate(float roughness) {
-  const float least = std::sqrt(kSmallestRoughness);
-  return (std::sqrt(std::max(roughness, kSmallestRoughness)) - least) / (1.0f - least);
+  const float least = std::sqrt(kSmoothRoughness);
+  return (std::sqrt(std::max(roughness, kSmoothRoughness)) - least) / (1.0f - least);
 }
 
 float roughnessOf(std::size_t index, std::size_t count) {
-  const float least = std::sqrt(kSmallestRoughness);
+  const float least = std::sqrt(kSmoothRoughness);
   const float root = least + (1.0f - least) * unitOf(index, count);
-  return std::min(root * root, 1.0f);
+  return std::clamp(root * root, kSmoothRoughness, 1.0f);
 }
 
 constexpr float kSmallestCosine = 1e-6f;
@@ -160,14 +134,15 @@ float iorOf(std::size_t index, std::size_t count, BoundarySide side) {
 
 }  // namespace
 
-SpecularAlbedoTable::SpecularAlbedoTable() {
+SpecularAlbedoTable::SpecularAlbedoTable() : average_{} {
   for (std::size_t r = 0; r < kRoughnesses; ++r) {
     const float roughness = roughnessOf(r, kRoughnesses);
     for (std::size_t c = 0; c < kCosines; ++c) {
       const float unit = unitOf(c, kCosines);
-      whole_[r][c] = integrateReflection(cosineAtMasking(unit, alphaOf(roughness)), roughness).whole();
+      whole_[r * kCosines + c] =
+          integrateReflection(cosineAtMasking(unit, alphaOf(roughness)), roughness).whole();
       const SpecularAlbedo albedo = integrateReflection(cosineAtFresnel(unit), roughness);
-      biasShare_[r][c] = albedo.bias / albedo.whole();
+      biasShare_[r * kCosines + c] = albedo.bias / albedo.whole();
     }
   }
   // The means of the interpolated table itself, so that what one direction gives up all directions get back.
@@ -175,14 +150,14 @@ SpecularAlbedoTable::SpecularAlbedoTable() {
   // be too.
   constexpr int kSteps = 400;
   for (std::size_t r = 0; r < kAverages; ++r) {
-    const float roughness = roughnessOf(r, kAverages);
+    const Row row = at(roughnessOf(r, kAverages));
     double scale = 0.0;
     double bias = 0.0;
     for (int i = 0; i < kSteps; ++i) {
+      // 2 c dc with c = t^3: dense where smooth surfaces lose.
       const double t = (i + 0.5) / kSteps;
-      const double weight =
-          6.0 * t * t * t * t * t / kSteps;  // 2 c dc with c = t^3: dense where smooth surfaces lose
-      const SpecularAlbedo albedo = directional(static_cast<float>(t * t * t), roughness);
+      const double weight = 6.0 * t * t * t * t * t / kSteps;
+      const SpecularAlbedo albedo = row.directional(static_cast<float>(t * t * t));
       scale += weight * albedo.scale;
       bias += weight * albedo.bias;
     }
@@ -190,25 +165,20 @@ SpecularAlbedoTable::SpecularAlbedoTable() {
   }
 }
 
-SpecularAlbedo SpecularAlbedoTable::directional(float cosine, float roughness) const {
-  const float alpha = alphaOf(std::max(roughness, kSmallestRoughness));
-  const Position r = positionIn(roughnessCoordinate(roughness), kRoughnesses);
-  const auto read = [&r](const Table& table, const Position& c) {
-    const auto& low = table[r.index];
-    const auto& high = table[r.index + 1];
-    return mix(mix(low[c.index], low[c.index + 1], c.fraction),
-               mix(high[c.index], high[c.index + 1], c.fraction), r.fraction);
-  };
-  const float whole = read(whole_, positionIn(maskingCoordinate(cosine, alpha), kCosines));
-  const float bias = whole * read(biasShare_, positionIn(fresnelCoordinate(cosine), kCosines));
-  return {whole - bias, bias};
-}
-
-SpecularAlbedo SpecularAlbedoTable::average(float roughness) const {
-  const Position r = positionIn(roughnessCoordinate(roughness), kAverages);
-  const SpecularAlbedo& low = average_[r.index];
-  const SpecularAlbedo& high = average_[r.index + 1];
-  return {mix(low.scale, high.scale, r.fraction), mix(low.bias, high.bias, r.fraction)};
+SpecularAlbedoTable::Row SpecularAlbedoTable::at(float roughness) const {
+  Row row;
+  if (roughness < kSmoothRoughness) return row;
+  const float coordinate = roughnessCoordinate(roughness);
+  const TablePosition r = TablePosition::on(coordinate, kRoughnesses);
+  row.whole_ = whole_.data() + r.index * kCosines;
+  row.biasShare_ = biasShare_.data() + r.index * kCosines;
+  row.fraction_ = r.fraction;
+  row.alpha_ = alphaOf(roughness);
+  const TablePosition a = TablePosition::on(coordinate, kAverages);
+  const SpecularAlbedo& low = average_[a.index];
+  const SpecularAlbedo& high = average_[a.index + 1];
+  row.average_ = {mix(low.scale, high.scale, a.fraction), mix(low.bias, high.bias, a.fraction)};
+  return row;
 }
 
 BoundaryAlbedoTable::BoundaryAlbedoTable() {
@@ -226,11 +196,11 @@ BoundaryAlbedoTable::BoundaryAlbedoTable() {
 }
 
 float BoundaryAlbedoTable::directional(float cosine, float roughness, float relativeIor) const {
-  const float alpha = alphaOf(std::max(roughness, kSmallestRoughness));
+  const float alpha = alphaOf(std::max(roughness, kSmoothRoughness));
   const std::size_t side = relativeIor >= 1.0f ? 0 : kIors;
-  const Position i = positionIn(iorCoordinate(relativeIor), kIors);
-  const Position r = positionIn(roughnessCoordinate(roughness), kRoughnesses);
-  const Position c = positionIn(maskingCoordinate(cosine, alpha), kCosines);
+  const TablePosition i = TablePosition::on(iorCoordinate(relativeIor), kIors);
+  const TablePosition r = TablePosition::on(roughnessCoordinate(roughness), kRoughnesses);
+  const TablePosition c = TablePosition::on(SpecularAlbedoTable::maskingCoordinate(cosine, alpha), kCosines);
   const auto alongCosine = [&](std::size_t ior, std::size_t roughnessIndex) {
     const std::size_t entry = (ior * kRoughnesses + roughnessIndex) * kCosines + c.index;
     return mix(values_[entry], values_[entry + 1], c.fraction);

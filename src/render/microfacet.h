@@ -15,6 +15,10 @@
 
 namespace promenade::render {
 
+/// Surfaces of less (perceptual) roughness are mirrors: alpha 0.0004 is beyond any eye, and the end of
+/// float's digits.
+inline constexpr float kSmoothRoughness = 0.02f;
+
 /// (1 - x)^5 of Schlick's Fresnel approximation, for x in [0, 1].
 inline float schlickWeight(float cosine) {
   const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f);

@@ -1,0 +1,87 @@
+#pragma once
+// A material seen from one direction: all that can be worked out before it is known where the light comes
+// from. An integrator that evaluates several directions at one point makes one of these; bsdf.h has the same
+// as functions.
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "src/render/albedo_tables.h"
+#include "src/render/bsdf.h"
+#include "src/render/microfacet.h"
+
+namespace promenade::render {
+
+class ScatteringSurface {
+ public:
+  /// `wo`: unit, wo.z > 0, where the light goes.
+  ScatteringSurface(const BsdfParameters& parameters, const glm::vec3& wo);
+
+  [[nodiscard]] BsdfValue evaluate(const glm::vec3& wi) const;
+  [[nodiscard]] BsdfSample sample(float choose, glm::vec2 u) const;
+  [[nodiscard]] BsdfAlbedo albedo() const;
+  [[nodiscard]] Rgb straightTransmittance() const;
+
+ private:
+  /// Schlick's Fresnel term of the glossy layer, split by what a facet does with the light.
+  struct FacetColors {
+    Rgb reflected{0.0f};
+    Rgb transmitted{0.0f};
+    /// Which share of the samples on such a facet is reflected.
+    [[nodiscard]] float reflectionProbability() const {
+      const float r = reflected.r + reflected.g + reflected.b;
+      const float t = transmitted.r + transmitted.g + transmitted.b;
+      return t > 0.0f ? r / (r + t) : 1.0f;
+    }
+  };
+  [[nodiscard]] FacetColors facetColors(const glm::vec3& h) const;
+  [[nodiscard]] BsdfValue evaluateReflection(const glm::vec3& wi) const;
+  [[nodiscard]] BsdfValue evaluateTransmission(const glm::vec3& wi) const;
+  [[nodiscard]] BsdfSample sampleSmoothBase(float choose) const;
+  [[nodiscard]] glm::vec3 sampleRoughBase(float choose, glm::vec2 u) const;
+
+  glm::vec3 wo_;
+
+  // The glossy base: metal and dielectric share their facets.
+  SpecularAlbedoTable::Row facets_;
+  bool smooth_;
+  Ggx ggx_;
+  Rgb f0_;  // of what reflects without refracting, weighted by how much of it there is
+  float f90_;
+  Rgb dielectricF0_;
+  float dielectricF90_;
+  Rgb base_;
+  float thin_ = 0.0f;        // weight of thin-walled transmission
+  float refracting_ = 0.0f;  // weight of the refracting boundary
+  float relativeIor_;
+  float boundaryScale_ = 1.0f;  // one over the boundary's albedo
+  SpecularAlbedo out_;          // the facets' albedo towards wo
+  Rgb againColor_;              // reflected after several bounces, without its directional factors
+  Rgb thinAgainColor_;          // the same, transmitted
+  float againScale_;            // (1 - E(wo)) / (pi (1 - Eavg))
+  float layerF0_;               // the dielectric layer as its diffuse base sees it: the largest channel
+  float layerAgain_;
+  Rgb diffuseColor_;  // times (1 - layer albedo towards wi)
+
+  // The clearcoat.
+  float coat_;
+  SpecularAlbedoTable::Row coatFacets_;
+  bool coatSmooth_;
+  Ggx coatGgx_;
+  SpecularAlbedo coatOut_;
+  float coatAgain_ = 0.0f;  // like againColor_ * againScale_
+  float underCoat_ = 1.0f;  // what the coat leaves to the base
+
+  // Chances of the lobes.
+  float chooseCoat_;
+  float chooseFacet_;
+  float chooseUp_;
+  float chooseDown_;
+
+  [[nodiscard]] float layerAlbedo(const SpecularAlbedo& albedo) const {
+    return std::min(albedo.of(layerF0_, dielectricF90_) + layerAgain_ * (1.0f - albedo.whole()), 1.0f);
+  }
+};
+
+}  // namespace promenade::render
