@@ -45,7 +45,7 @@ class Gather {
   Gather(const Frame& source, const Visibility& target, const WarpSettings& settings)
       : source_(source),
         target_(target),
-        surface_(source, target.camera.pose().eye),
+        surface_(source, target.camera.pose().eye, settings.creaseDegrees),
         reproject_(target.camera, source.visibility.camera),
         targetRays_(target.camera),
         eyeShift_(target.camera.pose().eye - source.visibility.camera.pose().eye),
@@ -161,6 +161,11 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
   if (!(settings.footprintLimit > 0.0)) {
     throw InputError("warp: footprint limit",
                      "expected a positive number, found " + std::to_string(settings.footprintLimit));
+  }
+
+  if (!(settings.creaseDegrees > 0.0 && settings.creaseDegrees <= 180.0)) {
+    throw InputError("warp: crease angle",
+                     "expected degrees in (0, 180], found " + std::to_string(settings.creaseDegrees));
   }
 
   const Gather gather(source, target, settings);

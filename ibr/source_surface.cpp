@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace promenade::ibr {
 namespace {
 
-// A crease: normals further apart than 45 degrees (and the rounding of an 8-sided column). Triangles of a
-// curved surface meet at less, edges of a box at more.
-constexpr float kCreaseCosine = 0.70f;
 // Smooth enough to be interpolated across 4 samples: 18 degrees from one sample to the next.
 constexpr float kSmoothCosine = 0.95f;
 // Rounding of the positions a renderer works with: 8 units in the last place of a float coordinate.
@@ -31,14 +29,15 @@ RayBasis::RayBasis(const Camera& camera)
       right_(camera.direction({1.5, 0.5}) - camera.direction({0.5, 0.5})),
       down_(camera.direction({0.5, 1.5}) - camera.direction({0.5, 0.5})) {}
 
-SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye)
+SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees)
     : visibility_(source.visibility),
       traced_(source.source),
       rays_(source.visibility.camera),
-      halfSample_(static_cast<float>(0.5 / source.visibility.camera.focalPixels() + kRounding)),
+      quarterSample_(static_cast<float>(0.25 / source.visibility.camera.focalPixels() + kRounding)),
       rounding_(
           static_cast<float>(kRounding * std::max(largestCoordinate(source.visibility.camera.pose().eye),
                                                   largestCoordinate(otherEye)))),
+      creaseCosine_(static_cast<float>(std::cos(creaseDegrees * std::numbers::pi / 180.0))),
       smoothBlocks_(source.visibility.depth.size()) {
   const Size size = smoothBlocks_.size();
   // A cell is smooth if its 2x2 samples are linked around; a block if its 3x3 cells are.
@@ -97,7 +96,7 @@ bool SourceSurface::agrees(int x, int y, const SurfacePoint& point) const {
   if (visibility_.item(x, y) != point.item) return false;
   if (point.item == kNoItem) return true;
   const glm::vec3& normal = visibility_.normal(x, y);
-  if (!(glm::dot(normal, point.normal) >= kCreaseCosine)) return false;
+  if (!(glm::dot(normal, point.normal) >= creaseCosine_)) return false;
   const glm::vec3 chord = visibility_.depth(x, y) * rays_.through(x, y) - point.fromSourceEye;
   return chordRunsAlong(chord, normal, point.normal, point.tolerance);
 }

@@ -5,9 +5,10 @@
 // runs along the surface: |(S - P) . (nS + nP)| / 2 <= tolerance. On a plane the chord is perpendicular to
 // both normals; on a circle it is perpendicular to their sum, so a curved surface agrees with itself whatever
 // its curvature, where a distance from either tangent plane alone would grow with the square of the chord.
-// For a tessellated surface the remainder is at most half a chord times the angle between two triangles. The
-// tolerance is half the width of a source sample at that depth, across the line of sight: in depth it is 0.5
-// z / (f |n.r|), which follows the slope. What it confuses is closer together than the samples can tell.
+// For a tessellated surface the remainder is at most half a chord times the angle between two triangles.
+// The tolerance is a quarter of the width of a source sample at that depth, across the line of sight: in
+// depth that is 0.25 z / (f |n.r|), which follows the slope. What it confuses is closer together than the
+// samples can tell.
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -43,10 +44,11 @@ struct SurfacePoint {
 class SourceSurface {
  public:
   /// `otherEye` is the eye of the target: coordinates far from the origin are rounded more coarsely.
-  SourceSurface(const Frame& source, const glm::dvec3& otherEye);
+  /// `creaseDegrees`: the largest angle between the normals of samples that agree.
+  SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees);
 
   /// Tolerance for points at this depth of the source, metres.
-  [[nodiscard]] float tolerance(float sourceDepth) const { return rounding_ + halfSample_ * sourceDepth; }
+  [[nodiscard]] float tolerance(float sourceDepth) const { return rounding_ + quarterSample_ * sourceDepth; }
 
   [[nodiscard]] bool contains(int x, int y) const { return visibility_.depth.contains(x, y); }
   /// Whether sample (x, y) was ray traced, and may be a source at all.
@@ -64,8 +66,9 @@ class SourceSurface {
   const Visibility& visibility_;
   const SourceMap& traced_;
   RayBasis rays_;
-  float halfSample_;  ///< half the width of a sample at depth 1
+  float quarterSample_;  ///< a quarter of the width of a sample at depth 1
   float rounding_;
+  float creaseCosine_;
   Mask smoothBlocks_;
 };
 

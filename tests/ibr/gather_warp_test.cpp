@@ -234,7 +234,7 @@ TEST(GatherWarp, DoesNotTearCurvedAndTessellatedSurfaces) {
   // What is lost is the silhouette (an eighth of its samples have their nearest source sample beyond it) of a
   // disc of 2 pi r^2 samples: with r = 33 a rim of 2 pi 33 of 3400 samples.
   EXPECT_GT(validShare(AnalyticScene().add(1, sphere({0, 0, -3}, 1.0), uniform(Rgb(1))), from, to, 1), 0.975);
-  for (const int sides : {8, 16, 48}) {
+  for (const int sides : {8, 12, 16, 48}) {
     const double share =
         validShare(AnalyticScene().add(1, prism({0, -5, -3}, 1.0, 10, sides), uniform(Rgb(1))), from, to, 1);
     EXPECT_GT(share, 0.985) << sides;
@@ -355,7 +355,8 @@ TEST(GatherWarp, DoesNotTakeTheBackOfASheetForItsFront) {
 }
 
 TEST(GatherWarp, TellsParallelFacesOfOneItemApart) {
-  // Two shelves of one item, 5 cm apart (half a sample is 5 mm), the upper hiding the lower from the source.
+  // Two shelves of one item, 5 cm apart (a quarter of a sample is 2.5 mm), the upper hiding the lower from
+  // the source.
   const AnalyticScene scene =
       AnalyticScene()
           .add(1, rectangle({-1, -1, -2}, {2, 0, 0}, {0, 2, 0}), uniform(Rgb(0.3f)))
@@ -471,6 +472,8 @@ TEST(GatherWarp, RejectsMapsThatDoNotFit) {
   Frame source = scene.render(camera);
   EXPECT_THROW((void)gatherWarp(source, target, {0.0}), InputError);
   EXPECT_THROW((void)gatherWarp(source, target, {std::nan("")}), InputError);
+  EXPECT_THROW((void)gatherWarp(source, target, {2.5, 0.0}), InputError);
+  EXPECT_THROW((void)gatherWarp(source, target, {2.5, 181.0}), InputError);
   EXPECT_THROW((void)gatherWarp(source, target, Mask(Size{8, 5}), {}), InputError);
   source.viewDependent = RadianceMap(Size{7, 6});
   EXPECT_THROW((void)gatherWarp(source, target, {}), InputError);
