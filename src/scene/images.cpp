@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include "src/scene/png_check.h"
+
 namespace promenade::scene {
 namespace {
 
@@ -55,6 +57,12 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
     result.error = startsWith(encoded, "\xABKTX 20") ? "KTX2 images (KHR_texture_basisu) are not supported"
                                                      : "expected a PNG, JPEG or WebP image";
     return result;
+  }
+  if (name->ends_with(".png")) {
+    result.error = pngDamage(encoded);
+    if (!result.error.empty()) {
+      return result;
+    }
   }
   // The proxy only reads; its interface is not const.
   OIIO::Filesystem::IOMemReader proxy(const_cast<std::uint8_t*>(encoded.data()), encoded.size());

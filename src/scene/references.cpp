@@ -48,7 +48,7 @@ class Checker {
       if (target != targets().end() && !(inAnimation && key == "sampler")) {
         reference(member, target->second, place);
       }
-      if (key == "light") {
+      if (key == "light" && path.ends_with("KHR_lights_punctual")) {
         light(member, place);
       }
       if (key == "attributes" || key == "targets") {
