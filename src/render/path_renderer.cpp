@@ -164,6 +164,7 @@ class PathRenderer final : public Renderer {
         stream.pixel = {p.x, p.y};
         stream.frame = static_cast<std::uint32_t>(frameIndex);
         stream.seed = static_cast<std::uint32_t>(settings_.seed ^ (settings_.seed >> 32));
+        stream.pathsPerPixel = static_cast<std::uint32_t>(settings_.pathsPerSample);
         radiance = tracer_.shade(hit, ray, pixelWidth, stream, rays);
       } else {
         radiance.diffuse = tracer_.background(glm::normalize(ray.direction));

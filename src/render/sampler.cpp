@@ -1,5 +1,8 @@
 #include "src/render/sampler.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace promenade::render {
 namespace {
 
@@ -44,21 +47,36 @@ std::uint32_t pascal(std::uint32_t v) {
   return v ^ ((v >> 1) & 0x55555555u);
 }
 
+/// The lower 16 bits moved to the even places (Morton order).
+std::uint32_t spreadBits(std::uint32_t v) {
+  v = (v | (v << 8)) & 0x00ff00ffu;
+  v = (v | (v << 4)) & 0x0f0f0f0fu;
+  v = (v | (v << 2)) & 0x33333333u;
+  return (v | (v << 1)) & 0x55555555u;
+}
+
 float toUnit(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
 }  // namespace
 
-Sampler::Sampler(const Stream& stream, std::uint32_t path)
-    : reversedPath_(reverseBits(path)),
-      streamHash_(
-          combine(combine(combine(combine(0, stream.seed), stream.frame), stream.pixel.y), stream.pixel.x)) {}
+Sampler::Sampler(const Stream& stream, std::uint32_t path) {
+  // A square tile of pixels, as large as 32 bits allow beside the paths, shares a sequence.
+  const int pathBits = std::min(static_cast<int>(std::bit_width(stream.pathsPerPixel - 1)), 30);
+  const int tileBits = std::min((32 - pathBits) / 2, 10);  // of each coordinate
+  const std::uint32_t inTile = (1u << tileBits) - 1;
+  const std::uint32_t order = spreadBits(stream.pixel.x & inTile) | spreadBits(stream.pixel.y & inTile) << 1;
+  reversedIndex_ = reverseBits((order << pathBits) + path);
+  streamHash_ = combine(combine(0, stream.seed), stream.frame);
+  streamHash_ = combine(combine(streamHash_, stream.pixel.y >> tileBits), stream.pixel.x >> tileBits);
+}
 
 Sampler::Dimension Sampler::nextDimension() {
   const std::uint32_t hash = combine(streamHash_, dimension_++);
-  // The shuffled index is an Owen scrambling of the path's number: aligned blocks go to aligned blocks.
-  return {reverseBits(scrambleReversed(reversedPath_, hash)), hash};
+  // The shuffled index is an Owen scrambling of the number in the sequence: aligned blocks go to aligned
+  // blocks.
+  return {reverseBits(scrambleReversed(reversedIndex_, hash)), hash};
 }
 
 float Sampler::next1D() {

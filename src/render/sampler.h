@@ -4,6 +4,12 @@
 // scrambling. Each pair of dimensions is the 2D Sobol (0,2)-sequence with its own shuffling of indices and
 // its own scrambling ("padding"), so the paths of one pixel are stratified in every pair, for every power of
 // two.
+//
+// Neighbouring pixels share one sequence, in the order of a Z curve: Ahmed and Wonka, Screen-Space Blue-Noise
+// Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels (ACM TOG 39(6), 2020). The
+// paths of every aligned block of 2^k by 2^k pixels are then a stratified set too, so that what error is left
+// lies in high spatial frequencies, where viewers are least sensitive, and largely cancels when samples are
+// filtered to pixels.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -13,15 +19,16 @@ namespace promenade::render {
 /// A plain value: a counter and two words. The same arguments give the same numbers on every machine.
 class Sampler {
  public:
-  /// Which sequence: paths of one pixel and frame share it and differ in `path`. Different pixels, frames or
-  /// seeds get independently scrambled sequences.
+  /// Which part of which sequence. Different frames and seeds get independently scrambled sequences.
   struct Stream {
     glm::uvec2 pixel{0, 0};
     std::uint32_t frame = 0;
     std::uint32_t seed = 0;
+    /// How many paths a pixel will ask for, at least 1. A power of two stratifies blocks of pixels best.
+    std::uint32_t pathsPerPixel = 1u << 12;
   };
 
-  /// `path` counts the paths of the stream from 0; any aligned block of 2^k of them is a stratified set.
+  /// `path` in [0, pathsPerPixel); any aligned block of 2^k of them is a stratified set.
   Sampler(const Stream& stream, std::uint32_t path);
 
   /// The next dimension, in [0, 1).
@@ -36,7 +43,7 @@ class Sampler {
   };
   Dimension nextDimension();
 
-  std::uint32_t reversedPath_;
+  std::uint32_t reversedIndex_;
   std::uint32_t streamHash_;
   std::uint32_t dimension_ = 0;
 };

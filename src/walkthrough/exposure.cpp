@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
+#include "src/core/resolve.h"
 #include "src/walkthrough/walkthrough.h"
 
 namespace promenade::walkthrough {
@@ -11,32 +14,31 @@ namespace promenade::walkthrough {
 double automaticExposure(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
                          Size size) {
   constexpr int kFrames = 7;
-  constexpr int kWidth = 64;
+  constexpr int kBlock = 8;
+  constexpr int kColumns = 8;  // of blocks
   constexpr double kMiddleGrey = 0.18;
-  // Of the log average: darker pixels count as this, so that a black corner does not decide.
-  constexpr double kDarkest = 1e-4;
-  const int height = std::clamp(kWidth * size.height / std::max(1, size.width), 1, 4 * kWidth);
-  double sum = 0.0;
-  double count = 0.0;
+  // Darker blocks count as this share of the mean, so that a black corner does not decide.
+  constexpr double kDarkest = 1e-2;
+  const int rows =
+      std::clamp(static_cast<int>(std::lround(double(kColumns) * size.height / size.width)), 1, 4 * kColumns);
+  std::vector<double>
+      blocks;  // their mean luminances: the noise of single samples must not enter the logarithm
   for (int k = 0; k < kFrames; ++k) {
     const int index =
         frames.first + static_cast<int>(std::lround((frames.count() - 1) * k / double(kFrames - 1)));
-    const Frame frame = renderer.render(path.camera(index, {kWidth, height}), index);
-    const RadianceMap radiance = combinedRadiance(frame);
-    double brightest = 0.0;
-    for (const Rgb& value : radiance.pixels()) {
-      const double l = luminance(value);
-      if (std::isfinite(l)) brightest = std::max(brightest, l);
-    }
-    for (const Rgb& value : radiance.pixels()) {
-      const double l = luminance(value);
-      if (!std::isfinite(l)) continue;
-      sum += std::log2(std::max(l, std::max(kDarkest * brightest, 1e-30)));
-      count += 1.0;
+    const Frame frame = renderer.render(path.camera(index, {kColumns * kBlock, rows * kBlock}), index);
+    const RadianceMap means = resolveRadiance(combinedRadiance(frame), kBlock);
+    for (const Rgb& mean : means.pixels()) {
+      const double l = luminance(mean);
+      if (std::isfinite(l)) blocks.push_back(std::max(l, 0.0));
     }
   }
-  if (count == 0.0) return 0.0;
-  const double ev = std::log2(kMiddleGrey) - sum / count;
+  const double mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) /
+                      std::max<double>(1.0, static_cast<double>(blocks.size()));
+  if (!(mean > 0.0)) return 0.0;
+  double sum = 0.0;
+  for (const double l : blocks) sum += std::log2(std::max(l, kDarkest * mean));
+  const double ev = std::log2(kMiddleGrey) - sum / static_cast<double>(blocks.size());
   return std::round(10.0 * std::clamp(ev, -40.0, 40.0)) / 10.0;
 }
 

@@ -46,6 +46,25 @@ TEST(Sampler, StratifiesEveryAlignedBlockOfPathsForItself) {
   for (const std::uint32_t block : {1u, 2u, 7u}) expectStratified({{2, 900}, 0, 9}, block * 64, 6, 2);
 }
 
+TEST(Sampler, StratifiesEveryAlignedBlockOfPixels) {
+  // 4 by 4 pixels with 16 paths each: 256 points, one in every elementary interval of area 1/256.
+  std::vector<glm::vec2> points;
+  for (std::uint32_t y = 8; y < 12; ++y) {
+    for (std::uint32_t x = 20; x < 24; ++x) {
+      for (std::uint32_t path = 0; path < 16; ++path) points.push_back(pairOf({{x, y}, 7, 3, 16}, path, 5));
+    }
+  }
+  for (int a = 0; a <= 8; ++a) {
+    const auto columns = static_cast<float>(1 << a);
+    const auto rows = static_cast<float>(1 << (8 - a));
+    std::vector<int> hits(256, 0);
+    for (const glm::vec2& p : points) {
+      ++hits[static_cast<std::size_t>(std::floor(p.y * rows) * columns + std::floor(p.x * columns))];
+    }
+    for (const int h : hits) ASSERT_EQ(h, 1) << columns << " columns";
+  }
+}
+
 TEST(Sampler, StratifiesSingleDimensions) {
   std::vector<int> hits(128, 0);
   for (std::uint32_t path = 0; path < 128; ++path) {
