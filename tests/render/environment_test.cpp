@@ -156,6 +156,24 @@ TEST(EnvironmentLight, FindsASmallSun) {
   EXPECT_GT(hits, kCount * 95 / 100);
 }
 
+TEST(EnvironmentLight, ChoosesOnlyDirectionsThatShineNearThePolesToo) {
+  // Two rows, one of them black: between v = 1/4 and 3/4 the light fades, beyond that it is 0 or whole to the
+  // pole.
+  for (const int bright : {0, 1}) {
+    const EnvironmentLight light(
+        environmentOf({4, 2}, [&](int, int y) { return Rgb(y == bright ? 1.0f : 0.0f); }));
+    int nearPole = 0;
+    for (std::uint32_t i = 0; i < 4096; ++i) {
+      const EnvironmentSample s = light.sample(pointOf(i));
+      ASSERT_GT(s.radiance.g, 0.0f);
+      ASSERT_GT(s.pdf, 0.0f);
+      nearPole += std::abs(s.direction.y) > 0.7071f ? 1 : 0;
+    }
+    // Whole brightness over v < 1/4, a ramp of mean 1/2 over the middle half: a half of the samples each.
+    EXPECT_NEAR(nearPole, 2048, 30);
+  }
+}
+
 TEST(EnvironmentLight, SamplesAUniformSkyUniformly) {
   const EnvironmentLight light(environmentOf({1, 1}, [](int, int) { return Rgb(2.0f, 3.0f, 4.0f); }));
   glm::dvec3 mean(0.0);
