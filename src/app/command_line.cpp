@@ -289,6 +289,12 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   verb.add_flag("--quiet", line.console.quiet, "Neither progress nor notices");
   verb.add_option("--log-level", line.console.logLevel, "trace, debug, info, warning, error, critical or off")
       ->capture_default_str();
+  for (CLI::Option* option : verb.get_options()) {
+    // The last of a repeated option wins, so that a command can be recalled and amended.
+    if (!option->get_positional() && option->get_expected_max() == 1) {
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+  }
   // `--display ?` lists the presets, whatever else is there.
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (arguments[i] == "--display=?" || (arguments[i] == "?" && arguments[i - 1] == "--display")) {

@@ -29,8 +29,6 @@ namespace promenade::app {
 namespace {
 
 Metric metricFrom(const std::string& name) {
-  const auto known = {"aqm", "rmse", "psnr", "aqm2000", "vdp", "model1", "model2", "model3"};
-  std::vector<std::string_view> names(known.begin(), known.end());
   const std::string chosen =
       choiceFrom(name, {"aqm", "rmse", "psnr", "aqm2000", "vdp", "model1", "model2", "model3"}, "--metric");
   if (chosen == "aqm") return Metric::kAqm;
@@ -41,6 +39,10 @@ Metric metricFrom(const std::string& name) {
 
 std::string sizeText(Size size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+std::string countText(int frames) {
+  return std::to_string(frames) + (frames == 1 ? " frame" : " frames");
 }
 
 // How files become what a viewer sees.
@@ -193,8 +195,8 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   io::SequenceReader test(sequences[0]);
   io::SequenceReader reference(sequences[1]);
   if (test.frameCount() != reference.frameCount()) {
-    throw InputError(options.test + " has " + std::to_string(test.frameCount()) + " frame(s) and " +
-                     options.reference + " has " + std::to_string(reference.frameCount()) +
+    throw InputError(options.test + " has " + countText(test.frameCount()) + " and " + options.reference +
+                     " has " + countText(reference.frameCount()) +
                      ": only sequences of equal length can be compared");
   }
   viewing.framesPerSecond = std::max(framesPerSecondOf(options, sequences[0], test),

@@ -43,9 +43,9 @@ ExitStatus runPath(const PathOptions& options, Console& console) {
       isGltf(options.file)
           ? pathOfScene(loadScene(options.file, loadOptions(options.load)), options.name, fps)
           : io::readPathFile(options.file, {.framesPerSecond = fps});
-  console.result(described(path));
   if (format) io::writePathFile(options.to.back(), path, *format);
   if (!options.plot.empty()) io::writeTextFile(options.plot, paths::plotSvg(path));
+  console.result(described(path));
   return ExitStatus::kDone;
 }
 

@@ -36,6 +36,11 @@ TEST(CommandLine, ReadsNegativeVelocitiesAndPairs) {
   EXPECT_EQ(line.path.to, (Arguments{"tum", "walk.txt"}));
 }
 
+TEST(CommandLine, TakesTheLastOfARepeatedOption) {
+  EXPECT_EQ(parseCommandLine({"info", "a", "--log-level", "error", "--log-level", "debug"}).console.logLevel,
+            "debug");
+}
+
 TEST(CommandLine, NamesTheNearestOfWhatIsUnknown) {
   expectRefused([] { (void)parseCommandLine({"rendr"}); }, "unknown verb 'rendr'; did you mean 'render'?");
   expectRefused(
