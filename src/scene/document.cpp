@@ -16,13 +16,13 @@ using nlohmann::json;
 // glTF itself nests about ten deep; the rest is room for extensions.
 constexpr int kDeepestNesting = 64;
 
-constexpr std::array<std::string_view, 16> kSupported = {
+constexpr std::array<std::string_view, 15> kSupported = {
     "EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_lights_punctual", "KHR_materials_clearcoat",
     "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_specular",
     "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume", "KHR_mesh_quantization",
     "KHR_texture_transform",
     // Nothing to do for a still picture of the default look:
-    "KHR_xmp", "KHR_xmp_json_ld", "KHR_materials_variants", "KHR_node_visibility"};
+    "KHR_xmp", "KHR_xmp_json_ld", "KHR_materials_variants"};
 
 bool isSupported(std::string_view extension) {
   return std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();

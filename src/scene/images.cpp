@@ -50,6 +50,16 @@ void expandChannels(Image<std::array<std::uint8_t, 4>>& texels, int channels) {
   }
 }
 
+/// OpenImageIO 2.4 multiplies the colours of WebP by alpha, whatever it is asked.
+void divideByAlpha(Image<std::array<std::uint8_t, 4>>& texels) {
+  for (auto& texel : texels.pixels()) {
+    const int alpha = texel[3];
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
+      texel[c] = static_cast<std::uint8_t>(std::min(255, (texel[c] * 255 + alpha / 2) / alpha));
+    }
+  }
+}
+
 Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
   Decoded result;
   const std::optional<std::string> name = nameForReader(encoded);
@@ -97,6 +107,9 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
     return result;
   }
   expandChannels(result.texels, channels);
+  if (name->ends_with(".webp")) {
+    divideByAlpha(result.texels);
+  }
   return result;
 }
 
