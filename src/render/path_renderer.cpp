@@ -216,6 +216,8 @@ std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSetting
   requireSetting(settings.threads >= 0,
                  "threads: expected at least 0, found " + std::to_string(settings.threads));
   requireSetting(settings.indirectLimit > 0.0f, "indirectLimit: expected more than 0");
+  requireSetting(settings.leastIndirectRoughness >= 0.0f && settings.leastIndirectRoughness <= 1.0f,
+                 "leastIndirectRoughness: expected a number from 0 to 1");
   return std::make_unique<PathRenderer>(scene, settings);
 }
 

@@ -26,6 +26,10 @@ struct PathSettings {
   /// Most that one path may add to a sample after its first scattering, per channel. Finite values trade
   /// energy for the absence of bright dots (biased).
   float indirectLimit = std::numeric_limits<float>::infinity();
+  /// Least perceptual roughness, in [0, 1], of what a path meets after a scattering that was not a mirror's,
+  /// panes excepted. Above 0 light that reaches a diffuse surface by way of a mirror is blurred instead of
+  /// arriving as bright dots (biased; Kaplanyan, Dachsbacher, Path Space Regularization, 2013).
+  float leastIndirectRoughness = 0.0f;
   /// Called now and then from any thread during long work; may throw Interrupted, which ends the call
   /// cleanly.
   std::function<void()> checkpoint = {};

@@ -66,6 +66,13 @@ Rgb volumeTransmittance(const Material& material, float distance) {
                   Rgb(distance / material.attenuationDistanceMetres));
 }
 
+/// Panes stay clear: light goes straight through them in next event estimation too.
+void roughen(BsdfParameters& bsdf, float least) {
+  if (bsdf.transmission > 0.0f && bsdf.thinWalled) return;
+  bsdf.roughness = std::max(bsdf.roughness, least);
+  bsdf.clearcoatRoughness = std::max(bsdf.clearcoatRoughness, least);
+}
+
 Ray shadowRay(const glm::vec3& origin, const LightSample& light) {
   Ray ray;
   ray.origin = origin;
@@ -84,6 +91,7 @@ struct PathTracer::Vertex {
   SurfaceLook look;
   std::uint32_t instance;
   int material;
+  const SkyGuide::View* sky;  ///< null without environment
 
   [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
     return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
@@ -113,10 +121,12 @@ struct PathTracer::Carried {
   float environmentShare =
       0.0f;  ///< expected samples of the environment and of the other lights at that vertex
   float localShare = 0.0f;
+  const SkyGuide::View* sky = nullptr;
   float width = 0.0f;  ///< of the pencil of rays at the origin
   float spread = 0.0f;
   int medium = -1;  ///< material of the solid that the path is in
   int bounces = 0;
+  bool blurred = false;  ///< some scattering was not a mirror's
 };
 
 /// Shadow rays of the paths from one primary hit: they share their origin, so they travel in packets.
@@ -152,21 +162,23 @@ class PathTracer::ShadowBatch {
 
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings)
     : settings_(settings), surfaces_(scene), embree_(surfaces_, settings.threads), lights_(surfaces_) {
-  if (scene.environment) environment_.emplace(*scene.environment);
+  if (!scene.environment) return;
+  environment_.emplace(*scene.environment);
+  sky_.emplace(embree_, *environment_);
 }
 
 Rgb PathTracer::background(const glm::vec3& unitDirection) const {
   return environment_ ? environment_->radiance(unitDirection) : Rgb(0.0f);
 }
 
-PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& origin,
-                                        const glm::vec3& unitDirection, float width) const {
-  static_cast<void>(origin);
+PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& unitDirection, float width) const {
   const SurfacePoint point = surfaces_.pointAt(hit, unitDirection);
   const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
   SurfaceLook look = surfaces_.lookAt(point, unitDirection, projectPencil(facing, unitDirection, width));
   const Basis basis(look.normal);
-  return {point.position, facing, basis, basis.toLocal(-unitDirection), look, hit.instance, point.material};
+  return {
+      point.position, facing,       basis,          basis.toLocal(-unitDirection),
+      look,           hit.instance, point.material, sky_ ? &sky_->viewFrom(point.position, facing) : nullptr};
 }
 
 /// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen; a share below 1 is the
@@ -192,7 +204,8 @@ void PathTracer::sampleLights(const Vertex& vertex, Sampler& sampler, float envi
         f.viewDependent * arriving);
   };
   if (askEnvironment) {
-    const EnvironmentSample s = environment_->sample(sampler.next2D());
+    const float choose = sampler.next1D();
+    const EnvironmentSample s = sky_->sample(*vertex.sky, choose, sampler.next2D());
     if (s.pdf > 0.0f && !isBlack(s.radiance)) {
       LightSample light;
       light.direction = s.direction;
@@ -228,10 +241,10 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     ++rays.scattered;
     if (!hit.found()) {
       if (environment_) {
-        const float weight =
-            path.scatterDelta
-                ? 1.0f
-                : powerHeuristic(path.scatterPdf, environment_->pdf(path.direction) * path.environmentShare);
+        const float weight = path.scatterDelta
+                                 ? 1.0f
+                                 : powerHeuristic(path.scatterPdf, sky_->pdf(*path.sky, path.direction) *
+                                                                       path.environmentShare);
         add(path.throughput * environment_->radiance(path.direction) * weight, path.bounces);
       }
       break;
@@ -241,7 +254,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
           surfaces_.scene().materials[static_cast<std::size_t>(path.medium)], hit.distance);
     }
     path.width += path.spread * hit.distance;
-    const Vertex vertex = vertexAt(hit, path.origin, path.direction, path.width);
+    Vertex vertex = vertexAt(hit, path.direction, path.width);
+    if (path.blurred) roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
     if (vertex.look.alpha < 1.0f && sampler.next1D() >= vertex.look.alpha) {
       path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
       ++passages;
@@ -298,6 +312,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     path.scatterDelta = s.delta;
     path.environmentShare = environmentShare;
     path.localShare = localShare;
+    path.sky = vertex.sky;
+    path.blurred = path.blurred || !s.delta;
     if (!s.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(s.pdf));
   }
   return sum;
@@ -308,7 +324,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
   const float length = glm::length(primary.direction);
   const glm::vec3 direction = primary.direction / length;
   const float width = pixelWidth * hit.distance;
-  const Vertex vertex = vertexAt(hit, primary.origin, direction, width);
+  const Vertex vertex = vertexAt(hit, direction, width);
   const SurfaceLook& look = vertex.look;
 
   SampleRadiance sum;
@@ -356,9 +372,11 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
       next.scatterDelta = s.delta;
       next.environmentShare = environmentShare;
       next.localShare = localShare;
+      next.sky = vertex.sky;
       next.bounces = 1;
       if (s.wi.z < 0.0f && !look.bsdf.thinWalled)
         next.medium = look.bsdf.insideMaterial ? -1 : vertex.material;
+      next.blurred = !s.delta;
       if (!s.delta) next.spread = std::max(next.spread, kSpreadOfScattering / std::sqrt(s.pdf));
     }
     next.importance = largest(scattered);

@@ -9,6 +9,7 @@
 #include "src/render/lights.h"
 #include "src/render/path_renderer.h"
 #include "src/render/sampler.h"
+#include "src/render/sky_guide.h"
 #include "src/render/surfaces.h"
 
 namespace promenade::render {
@@ -43,8 +44,7 @@ class PathTracer {
   struct Carried;
   class ShadowBatch;
 
-  [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& origin, const glm::vec3& unitDirection,
-                                float width) const;
+  [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, float width) const;
   template <class Add>
   void sampleLights(const Vertex& vertex, Sampler& sampler, float environmentShare, float localShare,
                     const Add& add) const;
@@ -54,6 +54,7 @@ class PathTracer {
   Surfaces surfaces_;
   EmbreeScene embree_;
   std::optional<EnvironmentLight> environment_;
+  std::optional<SkyGuide> sky_;
   Lights lights_;
 };
 

@@ -180,6 +180,33 @@ TEST(Irradiance, OfManyLightsIsTheSumOfTheirs) {
   EXPECT_NEAR(meanOf(all, atTheOrigin(8), paths(1024, 1)), sum, 0.01 * sum);
 }
 
+TEST(Irradiance, OfTheSkyThroughASmallWindowIsThatOfTheWindow) {
+  // A dark box of 4 m with a window of 0.4 m in its ceiling, right above: the sky through it is as a light of
+  // that shape.
+  Scene window = floorScene(0.5f);
+  window.materials.push_back(tests::diffuseMaterial(Rgb(0.0f)));
+  const float w = 0.2f;
+  for (const auto& [x0, x1, z0, z1] : {std::tuple{-50.0f, -w, -50.0f, 50.0f},
+                                       {w, 50.0f, -50.0f, 50.0f},
+                                       {-w, w, -50.0f, -w},
+                                       {-w, w, w, 50.0f}}) {
+    tests::place(window, tests::quad({x0, 3.5f, z0}, {x1 - x0, 0, 0}, {0, 0, z1 - z0}, 1));
+  }
+  for (const float x : {-50.0f, 50.0f}) {
+    tests::place(window, tests::quad({x, 0.0f, -50.0f}, {0.0f, 3.5f, 0.0f}, {0.0f, 0.0f, 100.0f}, 1));
+    tests::place(window, tests::quad({-50.0f, 0.0f, x}, {0.0f, 3.5f, 0.0f}, {100.0f, 0.0f, 0.0f}, 1));
+  }
+  window.environment = tests::uniformSky(Rgb(8.0f));
+  const Camera camera = lookingAt({0.3, 3.0, 2.0}, {0, 0, 0}, {8, 8}, 0.0005);
+  // Differential form factor of a rectangle a x b above its corner at height h (Howell, B-3), four of them:
+  // F = (1/2pi) (A/sqrt(1+A^2) atan(B/sqrt(1+A^2)) + B/sqrt(1+B^2) atan(A/sqrt(1+B^2))) with A = a/h, B =
+  // b/h.
+  const double a = 0.2 / 3.5, r = a / std::sqrt(1.0 + a * a);
+  const double f = 4.0 / (2.0 * kPi) * 2.0 * r * std::atan(r);
+  const double expected = 0.5 * 8.0 * f;
+  EXPECT_NEAR(meanOf(window, camera, paths(1024, 1)), expected, 0.02 * expected);
+}
+
 // --- Form factors: the mean radiance of a square of albedo a lit by one of radiance L is a L F. ---
 
 double meanOverUnitSquare(const Scene& scene, const glm::dvec3& up, const glm::dvec3& eye,

@@ -1,0 +1,250 @@
+#include "src/render/sky_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+namespace promenade::render {
+namespace {
+
+constexpr int kCellsAlongLongestSide = 40;
+constexpr int kRaysPerBin = 2;
+constexpr int kEnvironmentRays = 64;  ///< chosen by the environment, to see how many of those arrive
+constexpr float kLeastShare = 0.25f;
+constexpr float kMostShare = 0.9f;
+constexpr int kSides = 6;
+constexpr float kPi = glm::pi<float>();
+constexpr float kOneBelow = 0.99999994f;
+
+/// PCG-XSH-RR of O'Neill (2014): only to jitter the rays of a histogram.
+class Jitter {
+ public:
+  explicit Jitter(std::uint64_t seed) : state_(seed * 6364136223846793005ull + 1442695040888963407ull) {}
+  float next() {
+    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+    const auto shifted = static_cast<std::uint32_t>(((state_ >> 18u) ^ state_) >> 27u);
+    const auto turn = static_cast<std::uint32_t>(state_ >> 59u);
+    const std::uint32_t bits = (shifted >> turn) | (shifted << ((32u - turn) & 31u));
+    return static_cast<float>(bits >> 8) * 0x1p-24f;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Clarberg 2008, as in PBRT 4th ed., 3.8.3, about +Y.
+glm::vec3 directionAt(int bin, float du, float dv) {
+  const float u = 2.0f * (static_cast<float>(bin % SkyGuide::kEdge) + du) / SkyGuide::kEdge - 1.0f;
+  const float v = 2.0f * (static_cast<float>(bin / SkyGuide::kEdge) + dv) / SkyGuide::kEdge - 1.0f;
+  const float fromDiagonal = 1.0f - (std::abs(u) + std::abs(v));
+  const float r = 1.0f - std::abs(fromDiagonal);
+  const float phi = (r == 0.0f ? 1.0f : (std::abs(v) - std::abs(u)) / r + 1.0f) * (kPi / 4.0f);
+  const float height = std::copysign(1.0f - r * r, fromDiagonal);
+  const float radius = r * std::sqrt(std::max(0.0f, 2.0f - r * r));
+  return {std::copysign(std::cos(phi), u) * radius, height, std::copysign(std::sin(phi), v) * radius};
+}
+
+int binOf(const glm::vec3& direction) {
+  const float x = std::abs(direction.x), z = std::abs(direction.z);
+  const float r = std::sqrt(std::max(0.0f, 1.0f - std::abs(direction.y)));
+  const float most = std::max(x, z);
+  float phi = most > 0.0f ? std::atan(std::min(x, z) / most) * (2.0f / kPi) : 0.0f;
+  if (x < z) phi = 1.0f - phi;
+  float v = phi * r;
+  float u = r - v;
+  if (direction.y < 0.0f) {
+    const float swapped = 1.0f - v;
+    v = 1.0f - u;
+    u = swapped;
+  }
+  const auto indexOf = [](float along, float sign) {
+    const float position = 0.5f * (std::copysign(along, sign) + 1.0f) * SkyGuide::kEdge;
+    return std::clamp(static_cast<int>(position), 0, SkyGuide::kEdge - 1);
+  };
+  return indexOf(v, direction.z) * SkyGuide::kEdge + indexOf(u, direction.x);
+}
+
+glm::vec3 axisOf(int side) {
+  glm::vec3 axis(0.0f);
+  axis[side / 2] = side % 2 == 0 ? 1.0f : -1.0f;
+  return axis;
+}
+
+int sideOf(const glm::vec3& normal) {
+  const glm::vec3 a = glm::abs(normal);
+  const int dimension = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);
+  return 2 * dimension + (normal[dimension] >= 0.0f ? 0 : 1);
+}
+
+float meanOf(const Rgb& c) {
+  return (c.x + c.y + c.z) / 3.0f;
+}
+
+/// Traces rays in packets and hands each its transmittance.
+template <class Use>
+class PacketQueue {
+ public:
+  PacketQueue(const EmbreeScene& embree, const Use& use) : embree_(embree), use_(use) {}
+  void add(const glm::vec3& origin, const glm::vec3& direction, int tag, float value) {
+    const auto i = static_cast<std::size_t>(count_++);
+    rays_[i].origin = origin;
+    rays_[i].direction = direction;
+    tags_[i] = tag;
+    values_[i] = value;
+    if (count_ == EmbreeScene::kPacket) flush();
+  }
+  void flush() {
+    if (count_ == 0) return;
+    const auto transmittance = embree_.transmittance(rays_, count_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+      use_(tags_[i], values_[i] * meanOf(transmittance[i]));
+    }
+    count_ = 0;
+  }
+
+ private:
+  const EmbreeScene& embree_;
+  const Use& use_;
+  int count_ = 0;
+  std::array<Ray, EmbreeScene::kPacket> rays_;
+  std::array<int, EmbreeScene::kPacket> tags_;
+  std::array<float, EmbreeScene::kPacket> values_;
+};
+
+}  // namespace
+
+SkyGuide::SkyGuide(const EmbreeScene& embree, const EnvironmentLight& environment)
+    : embree_(embree), environment_(environment) {
+  const EmbreeScene::Bounds bounds = embree.bounds();
+  const glm::vec3 extent = bounds.upper - bounds.lower;
+  const float longest = std::max(extent.x, std::max(extent.y, extent.z));
+  lower_ = bounds.lower;
+  cellSize_ = longest > 0.0f && std::isfinite(longest) ? longest / kCellsAlongLongestSide : 1.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float count = std::ceil(extent[i] / cellSize_);
+    cells_[i] = count >= 1.0f ? std::min(static_cast<int>(count), kCellsAlongLongestSide + 1) : 1;
+  }
+  slotCount_ = static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
+               static_cast<std::size_t>(cells_.z) * kSides;
+  slots_ = std::make_unique<std::atomic<const View*>[]>(slotCount_);
+}
+
+SkyGuide::~SkyGuide() {
+  for (std::size_t i = 0; i < slotCount_; ++i) delete slots_[i].load();
+}
+
+const SkyGuide::View& SkyGuide::viewFrom(const glm::vec3& position, const glm::vec3& normal) const {
+  glm::ivec3 cell;
+  for (int i = 0; i < 3; ++i) {
+    const float at = (position[i] - lower_[i]) / cellSize_;
+    cell[i] = at > 0.0f ? std::min(static_cast<int>(at), cells_[i] - 1) : 0;
+  }
+  const auto index = static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
+  const std::size_t slot = index * kSides + static_cast<std::size_t>(sideOf(normal));
+  const View* view = slots_[slot].load(std::memory_order_acquire);
+  if (view != nullptr) return *view;
+  // Two threads may fill the same cell at once; both find the same, and one result is kept.
+  std::unique_ptr<View> fresh = look(slot);
+  if (slots_[slot].compare_exchange_strong(view, fresh.get(), std::memory_order_acq_rel))
+    return *fresh.release();
+  return *view;
+}
+
+std::unique_ptr<SkyGuide::View> SkyGuide::look(std::size_t slot) const {
+  const auto side = static_cast<int>(slot % kSides);
+  const std::size_t index = slot / kSides;
+  const auto columns = static_cast<std::size_t>(cells_.x), rows = static_cast<std::size_t>(cells_.y);
+  const glm::vec3 corner =
+      lower_ + cellSize_ * glm::vec3(index % columns, index / columns % rows, index / (columns * rows));
+  const glm::vec3 axis = axisOf(side);
+  Jitter jitter(slot);
+  // Points reach one cell further to the side that the surfaces face: most of their own cell may lie behind
+  // them.
+  const auto pointInCell = [&] {
+    const float x = jitter.next(), y = jitter.next(), z = jitter.next(), ahead = 1.25f * jitter.next();
+    return corner + cellSize_ * (glm::vec3(x, y, z) + ahead * axis);
+  };
+
+  std::array<float, kBins> seen{};
+  const auto gather = [&](int bin, float value) { seen[static_cast<std::size_t>(bin)] += value; };
+  PacketQueue histogramRays(embree_, gather);
+  for (int bin = 0; bin < kBins; ++bin) {
+    for (int ray = 0; ray < kRaysPerBin; ++ray) {
+      const float du = jitter.next(), dv = jitter.next();
+      const glm::vec3 direction = directionAt(bin, du, dv);
+      const glm::vec3 origin = pointInCell();
+      // Normals of this side turn up to 55 degrees from its axis, so a direction may serve though it is
+      // behind the axis.
+      const float cosine = 0.1f + glm::dot(direction, axis);
+      if (cosine <= -0.6f) continue;
+      const float value = meanOf(environment_.radiance(direction)) * std::max(cosine, 0.1f);
+      if (value > 0.0f) histogramRays.add(origin, direction, bin, value);
+    }
+  }
+  histogramRays.flush();
+
+  float asked = 0.0f, arrived = 0.0f;
+  const auto count = [&](int, float value) { arrived += value; };
+  PacketQueue environmentRays(embree_, count);
+  for (int i = 0; i < kEnvironmentRays; ++i) {
+    const float u = (static_cast<float>(i) + jitter.next()) / kEnvironmentRays;
+    const EnvironmentSample s = environment_.sample({u, jitter.next()});
+    const glm::vec3 origin = pointInCell();
+    const float cosine = glm::dot(s.direction, axis);
+    if (!(s.pdf > 0.0f) || cosine <= 0.0f) continue;
+    asked += cosine;
+    environmentRays.add(origin, s.direction, 0, cosine);
+  }
+  environmentRays.flush();
+
+  auto view = std::make_unique<View>();
+  // A little of each bin's light goes to its neighbours: the rays see a bin at a few points only.
+  float sum = 0.0f;
+  for (int row = 0; row < kEdge; ++row) {
+    for (int column = 0; column < kEdge; ++column) {
+      float value = 0.0f;
+      for (int r = std::max(row - 1, 0); r <= std::min(row + 1, kEdge - 1); ++r) {
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, kEdge - 1); ++c) {
+          value += seen[static_cast<std::size_t>(r * kEdge + c)] * (r == row && c == column ? 1.0f : 0.05f);
+        }
+      }
+      sum += value;
+      view->cumulative[static_cast<std::size_t>(row * kEdge + column)] = sum;
+    }
+  }
+  if (sum > 0.0f) {
+    for (float& c : view->cumulative) c /= sum;
+    view->cumulative.back() = 1.0f;
+    const float arrivedShare = asked > 0.0f ? arrived / asked : 0.0f;
+    view->share = std::clamp(1.0f - arrivedShare, kLeastShare, kMostShare);
+  }
+  return view;
+}
+
+EnvironmentSample SkyGuide::sample(const View& view, float choose, glm::vec2 u) const {
+  EnvironmentSample s;
+  if (choose >= view.share) {
+    s = environment_.sample(u);
+    if (!(s.pdf > 0.0f)) return s;
+  } else {
+    const float which = std::min(choose / view.share, kOneBelow);
+    const auto found = std::upper_bound(view.cumulative.begin(), view.cumulative.end(), which);
+    const int bin = std::min(static_cast<int>(found - view.cumulative.begin()), kBins - 1);
+    s.direction = directionAt(bin, u.x, u.y);
+    s.radiance = environment_.radiance(s.direction);
+  }
+  s.pdf = pdf(view, s.direction);
+  return s;
+}
+
+float SkyGuide::pdf(const View& view, const glm::vec3& direction) const {
+  const float plain = environment_.pdf(direction);
+  if (view.share <= 0.0f) return plain;
+  const auto bin = static_cast<std::size_t>(binOf(direction));
+  const float mass = view.cumulative[bin] - (bin > 0 ? view.cumulative[bin - 1] : 0.0f);
+  return view.share * mass * (kBins / (4.0f * kPi)) + (1.0f - view.share) * plain;
+}
+
+}  // namespace promenade::render

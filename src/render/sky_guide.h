@@ -1,0 +1,64 @@
+#pragma once
+// Where in the sky light comes from, seen from each part of the scene: next event estimation of the
+// environment that knows about windows. Indoors, choosing directions by the environment's radiance alone
+// finds a wall nearly every time.
+//
+// The scene's box is cut into cells; each cell has, for each of the six axis directions that a surface in it
+// may face, a histogram over directions of visible radiance times cosine, filled by rays from random points
+// of the cell when it is first asked for. (The portals of Bitterli et al., Portal-Masked Environment Map
+// Sampling (EGSR 2015), without placing portals; the histograms are those of Jensen, Importance driven path
+// tracing using the photon map (1995).) Directions are drawn from a mixture of the histogram and the
+// environment's own density, so nothing is biased where the histogram is wrong. A histogram depends on
+// nothing but its cell: images stay the same for any number of threads. Not part of the folder's public face.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "src/render/embree_scene.h"
+#include "src/render/environment.h"
+
+namespace promenade::render {
+
+class SkyGuide {
+ public:
+  /// Bins of equal solid angle: the sphere of directions folded on a square of kEdge x kEdge (Clarberg, Fast
+  /// Equal-Area Mapping of the (Hemi)Sphere using SIMD, 2008).
+  static constexpr int kEdge = 32;
+  static constexpr int kBins = kEdge * kEdge;
+
+  /// What one cell sees on one side.
+  struct View {
+    std::array<float, kBins> cumulative;  ///< the last is 1 (unless nothing of the sky is seen)
+    float share = 0.0f;  ///< of samples drawn from the histogram; the rest from the environment
+  };
+
+  /// Both must outlive this.
+  SkyGuide(const EmbreeScene& embree, const EnvironmentLight& environment);
+  ~SkyGuide();
+  SkyGuide(const SkyGuide&) = delete;
+  SkyGuide& operator=(const SkyGuide&) = delete;
+
+  /// For a surface at `position` that faces `normal`. Any number of threads may ask.
+  [[nodiscard]] const View& viewFrom(const glm::vec3& position, const glm::vec3& normal) const;
+
+  [[nodiscard]] EnvironmentSample sample(const View& view, float choose, glm::vec2 u) const;
+  /// Density per solid angle with which sample() chooses the unit vector `direction`.
+  [[nodiscard]] float pdf(const View& view, const glm::vec3& direction) const;
+
+ private:
+  [[nodiscard]] std::unique_ptr<View> look(std::size_t slot) const;
+
+  const EmbreeScene& embree_;
+  const EnvironmentLight& environment_;
+  glm::vec3 lower_{0.0f};
+  float cellSize_ = 1.0f;
+  glm::ivec3 cells_{1};
+  std::size_t slotCount_ = 0;
+  std::unique_ptr<std::atomic<const View*>[]> slots_;
+};
+
+}  // namespace promenade::render

@@ -1,0 +1,96 @@
+// Directions toward the visible sky.
+
+#include "src/render/sky_guide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "src/render/surfaces.h"
+#include "tests/render/scenes.h"
+
+namespace promenade::render {
+namespace {
+
+/// A box of 10 m with one open side, +X.
+struct Room {
+  Scene scene;
+  Room() {
+    scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
+    const glm::vec3 x(10, 0, 0), y(0, 10, 0), z(0, 0, 10);
+    tests::place(scene, tests::quad({0, 0, 0}, x, z, 0));
+    tests::place(scene, tests::quad(y, x, z, 0));
+    tests::place(scene, tests::quad({0, 0, 0}, x, y, 0));
+    tests::place(scene, tests::quad(z, x, y, 0));
+    tests::place(scene, tests::quad({0, 0, 0}, y, z, 0));
+    scene.environment = tests::uniformSky(Rgb(3.0f));
+  }
+};
+
+TEST(SkyGuide, DensityIsThatOfTheSamplesAndSumsToOne) {
+  const Room room;
+  const Surfaces surfaces(room.scene);
+  const EmbreeScene embree(surfaces, 1);
+  const EnvironmentLight environment(*room.scene.environment);
+  const SkyGuide guide(embree, environment);
+  const SkyGuide::View& view = guide.viewFrom({2.0f, 0.0f, 5.0f}, {0.0f, 1.0f, 0.0f});
+  EXPECT_GT(view.share, 0.5f);  // most of the sphere is walls
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  // The mean of 1/pdf over the samples is the solid angle where the density is not 0: the sphere, because the
+  // environment's own density is in the mixture; and the mean of pdf over uniform directions times 4 pi is 1.
+  double inverse = 0.0, total = 0.0;
+  constexpr int kCount = 200000;
+  for (int i = 0; i < kCount; ++i) {
+    const EnvironmentSample s = guide.sample(view, unit(random), {unit(random), unit(random)});
+    ASSERT_NEAR(glm::length(s.direction), 1.0f, 1e-5f);
+    ASSERT_NEAR(s.pdf, guide.pdf(view, s.direction), 1e-6f * s.pdf);
+    inverse += 1.0 / s.pdf;
+    const float height = 2.0f * unit(random) - 1.0f, turn = 6.2831853f * unit(random);
+    const float radius = std::sqrt(1.0f - height * height);
+    total += guide.pdf(view, {radius * std::cos(turn), height, radius * std::sin(turn)});
+  }
+  EXPECT_NEAR(inverse / kCount, 4.0 * tests::kPi, 0.15);
+  EXPECT_NEAR(total / kCount * 4.0 * tests::kPi, 1.0, 0.03);
+}
+
+TEST(SkyGuide, SendsMostRaysThroughTheOpening) {
+  const Room room;
+  const Surfaces surfaces(room.scene);
+  const EmbreeScene embree(surfaces, 1);
+  const EnvironmentLight environment(*room.scene.environment);
+  const SkyGuide guide(embree, environment);
+  const glm::vec3 position(1.0f, 0.001f, 5.0f);
+  const SkyGuide::View& view = guide.viewFrom(position, {0.0f, 1.0f, 0.0f});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  int guided = 0, plain = 0;
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    Ray ray;
+    ray.origin = position;
+    ray.direction = guide.sample(view, unit(random), {unit(random), unit(random)}).direction;
+    guided += embree.transmittance(ray).x > 0.0f ? 1 : 0;
+    ray.direction = environment.sample({unit(random), unit(random)}).direction;
+    plain += embree.transmittance(ray).x > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(guided, 5 * plain);
+  EXPECT_GT(guided, kCount / 2);
+}
+
+TEST(SkyGuide, KeepsToTheEnvironmentWhereNoSkyIsSeen) {
+  Room room;
+  tests::place(room.scene, tests::quad({10, 0, 0}, {0, 10, 0}, {0, 0, 10}, 0));  // closes the box
+  const Surfaces surfaces(room.scene);
+  const EmbreeScene embree(surfaces, 1);
+  const EnvironmentLight environment(*room.scene.environment);
+  const SkyGuide guide(embree, environment);
+  const SkyGuide::View& view = guide.viewFrom({5.0f, 2.0f, 5.0f}, {0.0f, 1.0f, 0.0f});
+  EXPECT_EQ(view.share, 0.0f);
+  const glm::vec3 up(0.0f, 1.0f, 0.0f);
+  EXPECT_EQ(guide.pdf(view, up), environment.pdf(up));
+}
+
+}  // namespace
+}  // namespace promenade::render
