@@ -1,21 +1,15 @@
 #include <algorithm>
-#include <charconv>
-#include <utility>
+#include <cstdio>
 
 #include "src/walkthrough/report.h"
 
 namespace promenade::walkthrough {
 namespace {
 
-/// With so many digits after the point, independent of the locale.
-std::string fixed(double value, int digits) {
-  char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, digits);
-  return result.ec == std::errc() ? std::string(buffer, result.ptr) : std::string("?");
-}
-
-std::string percent(double value) {
-  return fixed(value, 2) + "%";
+std::string formatted(const char* format, auto... values) {
+  char buffer[512];
+  const int length = std::snprintf(buffer, sizeof(buffer), format, values...);
+  return std::string(buffer, static_cast<std::size_t>(std::clamp(length, 0, 511)));
 }
 
 std::string escaped(const std::string& text) {
@@ -47,32 +41,24 @@ std::string row(const std::string& name, const std::string& value) {
 
 std::string totalsTable(const Report& r) {
   const Statistics& s = r.statistics;
-  const auto text = [](auto value) { return std::to_string(value); };
-  const std::string perEdge = text(r.settings.supersample);
   std::string html = "<table>\n";
   html += row("scene", escaped(r.job.scene)) + row("path", escaped(r.job.path));
-  html += row("frames", text(s.frames.size()) + " of " + text(r.settings.size.width) + " x " +
-                            text(r.settings.size.height) + " pixels, " + perEdge + " x " + perEdge +
-                            " samples a pixel, " + fixed(r.job.framesPerSecond, 3) + " frames/s");
+  html += row("frames", formatted("%zu of %dx%d, %d x %d samples a pixel, %g frames/s", s.frames.size(),
+                                  r.settings.size.width, r.settings.size.height, r.settings.supersample,
+                                  r.settings.supersample, r.job.framesPerSecond));
   html += row("method", r.settings.method == Method::kFull ? "full: every frame ray traced" : "ibr");
-  html += row("keyframes", text(s.keyframes()));
-  html += row("samples ray traced", percent(100.0 * s.tracedFraction()));
-  html += row("paths a sample",
-              text(r.job.pathsPerSample) + (r.job.pathsChosenAutomatically ? " (chosen automatically)" : ""));
-  html += row("wall time", fixed(r.wallSeconds, 1) + " s");
-  const std::pair<const char*, double> parts[] = {
-      {"load", r.seconds.load},     {"prepare", r.seconds.prepare},
-      {"trace", s.seconds.trace},   {"visibility", s.seconds.visibility},
-      {"warp", s.seconds.warp},     {"metric", s.seconds.metric},
-      {"filter", s.seconds.filter}, {"encode", r.seconds.encode},
-      {"write", r.seconds.write}};
-  std::string list;
-  for (const auto& [name, seconds] : parts) {
-    if (!list.empty()) list += ", ";
-    list.append(name).append(" ").append(fixed(seconds, 1)).append(" s");
-  }
-  html += row("of which", list);
-  html += row("peak memory", fixed(r.peakResidentBytes / 1e6, 0) + " MB");
+  html += row("keyframes", formatted("%d", s.keyframes()));
+  html += row("samples ray traced", formatted("%.2f%%", 100.0 * s.tracedFraction()));
+  html += row("paths a sample", formatted("%d%s", r.job.pathsPerSample,
+                                          r.job.pathsChosenAutomatically ? " (chosen automatically)" : ""));
+  html += row("wall time", formatted("%.1f s", r.wallSeconds));
+  html +=
+      row("of which",
+          formatted("load %.1f, prepare %.1f, trace %.1f, visibility %.1f, warp %.1f, metric %.1f, "
+                    "filter %.1f, encode %.1f, write %.1f s",
+                    r.seconds.load, r.seconds.prepare, s.seconds.trace, s.seconds.visibility, s.seconds.warp,
+                    s.seconds.metric, s.seconds.filter, r.seconds.encode, r.seconds.write));
+  html += row("peak memory", formatted("%.0f MB", r.peakResidentBytes / 1e6));
   return html + "</table>\n";
 }
 
@@ -92,15 +78,16 @@ std::string tracedChart(const Report& r) {
     const double share =
         f.samples > 0 ? static_cast<double>(f.samplesTraced) / static_cast<double>(f.samples) : 0.0;
     const double height = 180.0 * std::min(share, 1.0);
-    svg += "<rect x=\"" + fixed(60.0 + width * static_cast<double>(i), 2) + "\" y=\"" +
-           fixed(200.0 - height, 2) + "\" width=\"" + fixed(width * 0.9, 2) + "\" height=\"" +
-           fixed(height, 2) + "\" fill=\"" + (f.kind == FrameKind::kKeyframe ? "#1f3f70" : "#c06020") +
-           "\"><title>frame " + std::to_string(f.index) + ": " + percent(100.0 * share) + "</title></rect>\n";
+    svg += formatted(
+        "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"%s\"><title>frame %d: "
+        "%.2f%%</title></rect>\n",
+        60.0 + width * static_cast<double>(i), 200.0 - height, width * 0.9, height,
+        f.kind == FrameKind::kKeyframe ? "#1f3f70" : "#c06020", f.index, 100.0 * share);
   }
   if (!frames.empty()) {
-    svg += "<text x=\"60\" y=\"218\">" + std::to_string(frames.front().index) +
-           "</text><text x=\"940\" y=\"218\" text-anchor=\"end\">" + std::to_string(frames.back().index) +
-           "</text>\n";
+    svg += formatted(
+        "<text x=\"60\" y=\"218\">%d</text><text x=\"940\" y=\"218\" text-anchor=\"end\">%d</text>\n",
+        frames.front().index, frames.back().index);
   }
   return svg + "</svg>\n";
 }
@@ -111,15 +98,10 @@ std::string segmentsTable(const Report& r) {
       "different</th><th>masked</th><th>unverified</th>"
       "<th>decision</th></tr>\n";
   for (const SegmentStatistics& s : r.statistics.segments) {
-    const auto cell = [&html](const std::string& text) { html.append("<td>").append(text).append("</td>"); };
-    html += "<tr>";
-    cell(std::to_string(s.segment.first) + "-" + std::to_string(s.segment.last));
-    cell(std::to_string(s.segment.middle()));
-    cell(percent(s.differencePercent));
-    cell(percent(s.maskedPercent));
-    cell(percent(s.unverifiedPercent));
-    cell(s.decision == Decision::kSplit ? "split" : "accept");
-    html += "</tr>\n";
+    html += formatted(
+        "<tr><td>%d-%d</td><td>%d</td><td>%.2f%%</td><td>%.2f%%</td><td>%.2f%%</td><td>%s</td></tr>\n",
+        s.segment.first, s.segment.last, s.segment.middle(), s.differencePercent, s.maskedPercent,
+        s.unverifiedPercent, s.decision == Decision::kSplit ? "split" : "accept");
   }
   return html + "</table>\n";
 }
