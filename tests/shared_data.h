@@ -1,5 +1,6 @@
 #pragma once
-// Data that lies beside the checkout and is not part of it. Tests that need it skip, loudly, where it is absent.
+// Data that lies beside the checkout and is not part of it. Tests that need it skip, loudly, where it is
+// absent.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ inline std::filesystem::path sharedPath(const std::string& relative) {
 
 }  // namespace promenade::tests
 
-#define PROMENADE_NEEDS_SHARED(relative)                                                       \
-  if (!std::filesystem::exists(promenade::tests::sharedPath(relative))) {                      \
+#define PROMENADE_NEEDS_SHARED(relative)                                                        \
+  if (!std::filesystem::exists(promenade::tests::sharedPath(relative))) {                       \
     GTEST_SKIP() << "SKIPPED: test data is absent: " << promenade::tests::sharedPath(relative); \
   }

@@ -151,7 +151,6 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
   report.seconds.write = output.secondsWriting();
   report.peakResidentBytes = peakResidentBytes();
   report.wallSeconds = std::chrono::duration<double>(Clock::now() - start).count();
-  io::writeTextFile(folder.file("report.html"), walkthrough::reportHtml(report));
   io::writeTextFile(folder.file("report.json"), walkthrough::reportJson(report));
   console.result(summary(report, folder));
   return ExitStatus::kDone;

@@ -1,5 +1,5 @@
 #pragma once
-// The report of a run as text: report.json (docs/formats.md lists its keys) and report.html. Pure.
+// The report of a run as text: report.json (docs/formats.md lists its keys). Pure.
 
 #include <cstdint>
 #include <string>
@@ -44,8 +44,5 @@ struct Report {
 };
 
 [[nodiscard]] std::string reportJson(const Report& report);
-/// The same for people: totals, a bar a frame with its traced share, the segments. No scripts, no external
-/// references.
-[[nodiscard]] std::string reportHtml(const Report& report);
 
 }  // namespace promenade::walkthrough

@@ -1,7 +1,7 @@
 #pragma once
-// What each conformance file must give: triangles and instances of the shown scene, counted from its JSON by a script
-// that knows nothing of the loader (indices / 3, strips and fans count - 2, instancing counts), or the name that a refusal
-// must contain.
+// What each conformance file must give: triangles and instances of the shown scene, counted from its JSON by
+// a script that knows nothing of the loader (indices / 3, strips and fans count - 2, instancing counts), or
+// the name that a refusal must contain.
 
 #include <array>
 #include <cstddef>
