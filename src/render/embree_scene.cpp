@@ -251,7 +251,8 @@ Hit EmbreeScene::intersect(const Ray& ray) const {
 std::array<Hit, kPacket> EmbreeScene::intersect(const std::array<Ray, kPacket>& rays, int count) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  // Embree 3.13.5 never returns from coherent traversal of some packets in scenes with instances.
+  if (handles_->meshScenes.empty()) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRayHit16 query;
   fill(query.ray, rays, count);
   for (int i = 0; i < kPacket; ++i) {
@@ -281,7 +282,6 @@ Rgb EmbreeScene::transmittance(const Ray& ray) const {
 std::array<Rgb, kPacket> EmbreeScene::transmittance(const std::array<Ray, kPacket>& rays, int count) const {
   ShadowContext context;
   rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   context.transmittance.fill(Rgb(1.0f));
   context.passedCount.fill(0);
   RTCRay16 query;

@@ -55,7 +55,7 @@ class EmbreeScene {
   /// Fraction of light that gets from one end of the ray to the other: 0 behind an opaque surface;
   /// alpha-blended surfaces and delta thin-walled transmission let a part through.
   [[nodiscard]] Rgb transmittance(const Ray& ray) const;
-  /// The same for `count` <= kPacket coherent rays.
+  /// The same for `count` <= kPacket rays, best of one origin.
   [[nodiscard]] std::array<Rgb, kPacket> transmittance(const std::array<Ray, kPacket>& rays, int count) const;
 
   struct Bounds {
