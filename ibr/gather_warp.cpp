@@ -148,16 +148,12 @@ class Gather {
 
 }  // namespace
 
-Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
-                  const WarpSettings& settings) {
-  const Size size = target.camera.size();
-  const Size sourceSize = source.visibility.camera.size();
-  requireSizes(target, "target");
+void requireValid(const Frame& source, const WarpSettings& settings) {
+  const Size size = source.visibility.camera.size();
   requireSizes(source.visibility, "source");
-  requireSize(source.diffuse.size(), sourceSize, "source");
-  requireSize(source.viewDependent.size(), sourceSize, "source");
-  requireSize(source.source.size(), sourceSize, "source");
-  if (!wanted.empty()) requireSize(wanted.size(), size, "wanted samples");
+  requireSize(source.diffuse.size(), size, "source");
+  requireSize(source.viewDependent.size(), size, "source");
+  requireSize(source.source.size(), size, "source");
   if (!(settings.footprintLimit > 0.0)) {
     throw InputError("warp: footprint limit",
                      "expected a positive number, found " + std::to_string(settings.footprintLimit));
@@ -167,6 +163,14 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
     throw InputError("warp: crease angle",
                      "expected degrees in (0, 180], found " + std::to_string(settings.creaseDegrees));
   }
+}
+
+Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
+                  const WarpSettings& settings) {
+  const Size size = target.camera.size();
+  requireSizes(target, "target");
+  requireValid(source, settings);
+  if (!wanted.empty()) requireSize(wanted.size(), size, "wanted samples");
 
   const Gather gather(source, target, settings);
   Warped warped{RadianceMap(size),

@@ -11,6 +11,7 @@
 // samples can tell.
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "src/core/frame.h"
@@ -25,6 +26,8 @@ class RayBasis {
   [[nodiscard]] glm::vec3 through(int x, int y) const {
     return corner_ + static_cast<float>(x) * right_ + static_cast<float>(y) * down_;
   }
+  /// What `pixels` further adds to a direction.
+  [[nodiscard]] glm::vec3 across(glm::vec2 pixels) const { return pixels.x * right_ + pixels.y * down_; }
 
  private:
   glm::vec3 corner_;
@@ -59,10 +62,10 @@ class SourceSurface {
   [[nodiscard]] bool isSmoothBlock(int x, int y) const {
     return smoothBlocks_.contains(x, y) && smoothBlocks_(x, y) != 0;
   }
-
- private:
+  /// The surface at a sample. Precondition: contains(x, y).
   [[nodiscard]] SurfacePoint pointOf(int x, int y) const;
 
+ private:
   const Visibility& visibility_;
   const SourceMap& traced_;
   RayBasis rays_;

@@ -1,7 +1,7 @@
 #pragma once
 // 3D warping of ray-traced samples to another view. Two methods, one result: gatherWarp (needs the target's
-// visibility) and, for frames that another renderer made, a forward warp can stand beside it.
-// Sources: McMillan 1997; Mark, McMillan, Bishop 1997; Nehab et al. 2007 (reverse reprojection).
+// visibility: exact silhouettes) and, for frames that another renderer made, forwardWarp (needs the frame
+// alone). Sources: McMillan 1997; Mark, McMillan, Bishop 1997; Nehab et al. 2007 (reverse reprojection).
 
 #include <cstdint>
 
@@ -56,5 +56,16 @@ struct WarpSettings {
 /// The same for the samples that `wanted` (the size of the target) selects; the rest is kNotWanted.
 [[nodiscard]] Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
                                 const WarpSettings& settings);
+
+/// Needs nothing but the frame: its samples are joined to surfaces, which are drawn into the target's image
+/// with a z-buffer; the radiance is fetched as by gatherWarp, by the same rules. Depth and item are those of
+/// the drawn surfaces, +inf and 0 where nothing of the source fell: kOccluded there if the source looks in
+/// that direction, else kOutside. Silhouettes are right to half a source sample. Surfaces that reach behind
+/// the target's eye are cut off a sample early. Throws InputError as gatherWarp does.
+[[nodiscard]] Warped forwardWarp(const Frame& source, const Camera& target, const WarpSettings& settings);
+
+/// Throws InputError unless every map of `source` has its camera's size and the settings are within their
+/// ranges.
+void requireValid(const Frame& source, const WarpSettings& settings);
 
 }  // namespace promenade::ibr
