@@ -14,10 +14,6 @@ constexpr float kSmoothCosine = 0.95f;
 // Rounding of the positions a renderer works with: 8 units in the last place of a float coordinate.
 constexpr double kRounding = 8.0 / (1 << 23);
 
-bool chordRunsAlong(const glm::vec3& chord, const glm::vec3& n, const glm::vec3& m, float tolerance) {
-  return std::abs(glm::dot(chord, n + m)) <= 2.0f * tolerance;
-}
-
 double largestCoordinate(const glm::dvec3& point) {
   return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
 }
@@ -79,26 +75,11 @@ SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, do
   });
 }
 
-bool SourceSurface::isTraced(int x, int y) const {
-  const SampleSource source = traced_(x, y);
-  return source == SampleSource::kTraced || source == SampleSource::kTracedHole ||
-         source == SampleSource::kTracedItem;
-}
-
 SurfacePoint SourceSurface::pointOf(int x, int y) const {
   const ItemId item = visibility_.item(x, y);
   if (item == kNoItem) return {};
   const float depth = visibility_.depth(x, y);
   return {item, depth * rays_.through(x, y), visibility_.normal(x, y), tolerance(depth)};
-}
-
-bool SourceSurface::agrees(int x, int y, const SurfacePoint& point) const {
-  if (visibility_.item(x, y) != point.item) return false;
-  if (point.item == kNoItem) return true;
-  const glm::vec3& normal = visibility_.normal(x, y);
-  if (!(glm::dot(normal, point.normal) >= creaseCosine_)) return false;
-  const glm::vec3 chord = visibility_.depth(x, y) * rays_.through(x, y) - point.fromSourceEye;
-  return chordRunsAlong(chord, normal, point.normal, point.tolerance);
 }
 
 }  // namespace promenade::ibr

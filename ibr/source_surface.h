@@ -10,6 +10,7 @@
 // depth that is 0.25 z / (f |n.r|), which follows the slope. What it confuses is closer together than the
 // samples can tell.
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -43,6 +44,11 @@ struct SurfacePoint {
   float tolerance = 0.0f;  ///< metres
 };
 
+/// The chord test: `n` and `m` are the normals at its ends.
+inline bool chordRunsAlong(const glm::vec3& chord, const glm::vec3& n, const glm::vec3& m, float tolerance) {
+  return std::abs(glm::dot(chord, n + m)) <= 2.0f * tolerance;
+}
+
 /// The surfaces that the samples of a source frame lie on. Keeps references to the frame.
 class SourceSurface {
  public:
@@ -74,5 +80,22 @@ class SourceSurface {
   float creaseCosine_;
   Mask smoothBlocks_;
 };
+
+// Inline: asked several times a sample.
+
+inline bool SourceSurface::isTraced(int x, int y) const {
+  const SampleSource source = traced_(x, y);
+  return source == SampleSource::kTraced || source == SampleSource::kTracedHole ||
+         source == SampleSource::kTracedItem;
+}
+
+inline bool SourceSurface::agrees(int x, int y, const SurfacePoint& point) const {
+  if (visibility_.item(x, y) != point.item) return false;
+  if (point.item == kNoItem) return true;
+  const glm::vec3& normal = visibility_.normal(x, y);
+  if (!(glm::dot(normal, point.normal) >= creaseCosine_)) return false;
+  const glm::vec3 chord = visibility_.depth(x, y) * rays_.through(x, y) - point.fromSourceEye;
+  return chordRunsAlong(chord, normal, point.normal, point.tolerance);
+}
 
 }  // namespace promenade::ibr
