@@ -1,7 +1,10 @@
 #include "ibr/surface_patches.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace promenade::ibr {
@@ -10,6 +13,9 @@ namespace {
 // Relative change of depth with the direction, beyond which a tangent plane says nothing about the surface:
 // 84 degrees.
 constexpr float kSteepestSlope = 10.0f;
+
+constexpr unsigned kRight = 1;
+constexpr unsigned kBelow = 2;
 
 glm::vec2 centreOf(glm::ivec2 sample) {
   return glm::vec2(sample) + 0.5f;
@@ -21,7 +27,22 @@ SurfacePatches::SurfacePatches(const Frame& source, const Camera& target, double
     : visibility_(source.visibility),
       surface_(source, target.pose().eye, creaseDegrees),
       rays_(source.visibility.camera),
-      reproject_(source.visibility.camera, target) {}
+      reproject_(source.visibility.camera, target),
+      centres_(source.visibility.camera.size()),
+      links_(source.visibility.camera.size()) {
+  const auto agree = [&](glm::ivec2 sample, glm::ivec2 other) {
+    return surface_.contains(other.x, other.y) &&
+           surface_.agrees(other.x, other.y, surface_.pointOf(sample.x, sample.y));
+  };
+  tbb::parallel_for(0, links_.height(), [&](int y) {
+    for (int x = 0; x < links_.width(); ++x) {
+      centres_(x, y) = project(centre({x, y}));
+      const unsigned right = agree({x, y}, {x + 1, y}) ? kRight : 0U;
+      const unsigned below = agree({x, y}, {x, y + 1}) ? kBelow : 0U;
+      links_(x, y) = static_cast<std::uint8_t>(right | below);
+    }
+  });
+}
 
 SurfacePatches::SourcePoint SurfacePatches::centre(glm::ivec2 sample) const {
   const bool background = visibility_.item(sample.x, sample.y) == kNoItem;
@@ -41,20 +62,16 @@ SurfacePatches::SourcePoint SurfacePatches::onTangentPlane(glm::ivec2 sample, gl
   return point;
 }
 
-bool SurfacePatches::joined(glm::ivec2 sample, glm::ivec2 other) const {
-  return surface_.contains(sample.x, sample.y) && surface_.contains(other.x, other.y) &&
-         surface_.agrees(other.x, other.y, surface_.pointOf(sample.x, sample.y));
+Corner SurfacePatches::project(const SourcePoint& point) const {
+  const auto shift = reproject_(point.pixel, point.inverseDepth);
+  if (!(shift.depthRatio > 0.0f)) return {point.pixel, -1.0f};
+  return {point.pixel + shift.pixels, point.inverseDepth / shift.depthRatio};
 }
 
-void SurfacePatches::add(Patches& patches, const std::array<SourcePoint, 3>& points, const glm::vec3& normal,
-                         ItemId item) const {
-  Patch patch{{}, normal, item};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto shift = reproject_(points[i].pixel, points[i].inverseDepth);
-    if (!(shift.depthRatio > 0.0f)) return;
-    patch.corners[i] = {points[i].pixel + shift.pixels, points[i].inverseDepth / shift.depthRatio};
-  }
-  patches.patch[patches.count++] = patch;
+bool SurfacePatches::joined(glm::ivec2 sample, glm::ivec2 other) const {
+  const glm::ivec2 first = glm::min(sample, other);
+  if (!surface_.contains(first.x, first.y)) return false;
+  return (links_(first.x, first.y) & (sample.x != other.x ? kRight : kBelow)) != 0;
 }
 
 void SurfacePatches::addQuarter(Patches& patches, glm::ivec2 sample, glm::ivec2 toward) const {
@@ -66,14 +83,12 @@ void SurfacePatches::addQuarter(Patches& patches, glm::ivec2 sample, glm::ivec2 
     return SourcePoint{centreOf(sample) + half,
                        0.5f * (centre(sample).inverseDepth + centre(other).inverseDepth)};
   };
-  const SourcePoint middle = centre(sample);
-  const SourcePoint across = edge({toward.x, 0});
-  const SourcePoint corner = onTangentPlane(sample, 0.5f * glm::vec2(toward));
-  const SourcePoint along = edge({0, toward.y});
+  const Corner& middle = centres_(sample.x, sample.y);
+  const Corner corner = project(onTangentPlane(sample, 0.5f * glm::vec2(toward)));
   const glm::vec3& normal = visibility_.normal(sample.x, sample.y);
   const ItemId item = visibility_.item(sample.x, sample.y);
-  add(patches, {middle, across, corner}, normal, item);
-  add(patches, {middle, corner, along}, normal, item);
+  patches.add({{middle, project(edge({toward.x, 0})), corner}, normal, item});
+  patches.add({{middle, corner, project(edge({0, toward.y}))}, normal, item});
 }
 
 SurfacePatches::Patches SurfacePatches::cell(int x, int y) const {
@@ -85,8 +100,9 @@ SurfacePatches::Patches SurfacePatches::cell(int x, int y) const {
     for (const glm::ivec2 s : samples) normal += visibility_.normal(s.x, s.y);
     const ItemId item = visibility_.item(x, y);
     if (item != kNoItem) normal = glm::normalize(normal);
-    add(patches, {centre(a), centre(b), centre(d)}, normal, item);
-    add(patches, {centre(a), centre(d), centre(c)}, normal, item);
+    const auto at = [&](glm::ivec2 sample) { return centres_(sample.x, sample.y); };
+    patches.add({{at(a), at(b), at(d)}, normal, item});
+    patches.add({{at(a), at(d), at(c)}, normal, item});
     return patches;
   }
   for (const glm::ivec2 s : samples) {

@@ -7,6 +7,8 @@
 // cracks open along them.
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,7 +22,7 @@ namespace promenade::ibr {
 /// infinitely far.
 struct Corner {
   glm::vec2 pixel;
-  float inverseDepth;
+  float inverseDepth;  ///< < 0: behind the eye
 };
 
 struct Patch {
@@ -50,8 +52,15 @@ class SurfacePatches {
 
  private:
   struct Patches {
-    std::array<Patch, 8> patch;
+    std::array<Patch, 8> patch;  // left as it is up to `count`: clearing it would cost more than filling it
     std::size_t count = 0;
+    /// Unless a corner is behind the eye.
+    void add(const Patch& more) {
+      for (const Corner& corner : more.corners) {
+        if (corner.inverseDepth < 0.0f) return;
+      }
+      patch[count++] = more;
+    }
   };
   /// A position in the source's image with the inverse depth of a surface there.
   struct SourcePoint {
@@ -61,16 +70,18 @@ class SurfacePatches {
 
   [[nodiscard]] Patches cell(int x, int y) const;
   void addQuarter(Patches& patches, glm::ivec2 sample, glm::ivec2 toward) const;
-  void add(Patches& patches, const std::array<SourcePoint, 3>& points, const glm::vec3& normal,
-           ItemId item) const;
   [[nodiscard]] SourcePoint centre(glm::ivec2 sample) const;
   [[nodiscard]] SourcePoint onTangentPlane(glm::ivec2 sample, glm::vec2 offset) const;
+  [[nodiscard]] Corner project(const SourcePoint& point) const;
+  /// Whether two neighbours, `other` being right of or below `sample`, lie on one surface.
   [[nodiscard]] bool joined(glm::ivec2 sample, glm::ivec2 other) const;
 
   const Visibility& visibility_;
   SourceSurface surface_;
   RayBasis rays_;
   Reprojection reproject_;
+  Image<Corner> centres_;
+  Image<std::uint8_t> links_;  ///< bit 0: joined with the sample to the right, bit 1: with the one below
 };
 
 }  // namespace promenade::ibr

@@ -44,6 +44,15 @@ void gather(benchmark::State& state) {
 }
 BENCHMARK(gather)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
+void forward(benchmark::State& state) {
+  const View& v = view();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(forwardWarp(v.source, v.target.visibility.camera, {}));
+  }
+  countSamples(state);
+}
+BENCHMARK(forward)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
 void blendOfTwo(benchmark::State& state) {
   const View& v = view();
   const Warped a = gatherWarp(v.source, v.target.visibility, {});
