@@ -15,7 +15,7 @@ using RendererFactory = std::function<std::unique_ptr<Renderer>(int pathsPerSamp
 struct NoiseSettings {
   double tolerancePercent = 1.0;  ///< of pixels with P > 0.75 between two renders with different seeds
   int fewestPaths = 16;
-  int mostPaths = 4096;
+  int mostPaths = 1024;    ///< more would take days: better a warning
   int frames = 3;          ///< looked at, spread over the walk
   Size largest{320, 180};  ///< frames are looked at no larger than about this many pixels
 };

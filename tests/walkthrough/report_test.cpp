@@ -1,0 +1,117 @@
+#include "src/walkthrough/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace promenade::walkthrough {
+namespace {
+
+using nlohmann::json;
+
+Report threeFrames() {
+  Report r;
+  r.version = "1.2.3";
+  r.job = {.scene = "a<b>.glb",
+           .path = "walk",
+           .framesPerSecond = 24.0,
+           .integrator = "path",
+           .light = "scene",
+           .pathsPerSample = 64,
+           .pathsChosenAutomatically = true,
+           .seed = 7,
+           .threads = 2};
+  r.settings.size = {10, 5};
+  r.settings.supersample = 2;
+  r.settings.frames = {4, 6};
+  r.settings.display.name = "fhd-24";
+  r.settings.tone.exposureEv = 1.5;
+  const auto keyframe = [](int index, double seconds) {
+    FrameStatistics f;
+    f.index = index;
+    f.samples = 200;
+    f.samplesTraced = 200;
+    f.seconds = seconds;
+    return f;
+  };
+  FrameStatistics inbetween;
+  inbetween.index = 5;
+  inbetween.kind = FrameKind::kInbetween;
+  inbetween.samples = 200;
+  inbetween.samplesTraced = 20;
+  inbetween.holes = 5;
+  inbetween.itemSamples = 15;
+  inbetween.itemsTraced = {3, 9};
+  inbetween.warped = 180;
+  inbetween.seconds = 0.5;
+  r.statistics.frames = {keyframe(4, 2.0), inbetween, keyframe(6, 2.5)};
+  r.statistics.segments = {{.segment = {4, 6, 1},
+                            .decision = Decision::kAccept,
+                            .differencePercent = 1.25,
+                            .maskedPercent = 10.0,
+                            .unverifiedPercent = 0.5}};
+  r.statistics.seconds = {
+      .trace = 4.0, .visibility = 0.1, .warp = 0.2, .metric = 0.3, .filter = 0.4, .output = 0.5};
+  r.statistics.rays = {.visibility = 200, .primary = 420, .scattered = 1000, .shadow = 500};
+  r.seconds = {.load = 1.0, .indirect = 0.0, .prepare = 0.6, .encode = 0.2, .write = 0.3};
+  r.wallSeconds = 8.0;
+  r.peakResidentBytes = 1e6;
+  r.resumedFrom = 4;
+  return r;
+}
+
+TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
+  const json root = json::parse(reportJson(threeFrames()));
+  EXPECT_EQ(root["version"], "1.2.3");
+  const json& job = root["job"];
+  EXPECT_EQ(job["scene"], "a<b>.glb");
+  EXPECT_EQ(job["path"], "walk");
+  EXPECT_EQ(job["size"], json::parse("[10, 5]"));
+  EXPECT_EQ(job["supersample"], 2);
+  EXPECT_EQ(job["fps"], 24.0);
+  EXPECT_EQ(job["frames"], 3);
+  EXPECT_EQ(job["method"], "ibr");
+  EXPECT_EQ(job["tolerance"], 3.0);
+  EXPECT_EQ(job["display"], "fhd-24");
+  EXPECT_EQ(job["seed"], 7);
+  EXPECT_EQ(job["threads"], 2);
+  const json& totals = root["totals"];
+  EXPECT_EQ(totals["frames"], 3);
+  EXPECT_EQ(totals["keyframes"], 2);
+  EXPECT_EQ(totals["samples"], 600);
+  EXPECT_EQ(totals["samples_traced"], 420);
+  EXPECT_DOUBLE_EQ(totals["traced_fraction"].get<double>(), 0.7);  // 420 / 600, keyframes included
+  EXPECT_EQ(totals["rays"], 1920);                                 // without the visibility rays
+  EXPECT_EQ(totals["visibility_rays"], 200);
+  EXPECT_EQ(totals["seconds_wall"], 8.0);
+  EXPECT_EQ(totals["peak_rss_bytes"], 1000000);
+  for (const char* part :
+       {"load", "indirect", "trace", "visibility", "warp", "metric", "filter", "encode", "write"}) {
+    EXPECT_TRUE(totals["seconds"].contains(part)) << part;
+  }
+  EXPECT_EQ(totals["seconds"]["trace"], 4.0);
+  EXPECT_EQ(totals["seconds"]["write"], 0.3);
+  EXPECT_EQ(root["segments"], json::parse(R"([{"first": 4, "last": 6, "middle": 5, "difference_percent": 1.25,
+      "masked_percent": 10.0, "unverified_percent": 0.5, "decision": "accept", "depth": 1}])"));
+  EXPECT_EQ(root["frames"][1],
+            json::parse(R"({"index": 5, "kind": "inbetween", "samples_traced": 20, "holes": 5,
+      "items_traced": 15, "items": [3, 9], "warped": 180, "seconds": 0.5})"));
+  EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
+  EXPECT_FALSE(root.contains("resumed_from"));
+}
+
+TEST(ReportJson, SaysWhereAResumedRunBegan) {
+  Report r = threeFrames();
+  r.resumedFrom = 6;
+  EXPECT_EQ(json::parse(reportJson(r))["resumed_from"], 6);
+}
+
+TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {
+  Report r = threeFrames();
+  r.job.scene = "\xff\xfe.glb";
+  EXPECT_TRUE(json::accept(reportJson(r)));
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough
