@@ -27,7 +27,7 @@ struct Quadrature {
   }
 };
 
-constexpr Quadrature kReflectionQuadrature{12, 48, 3};
+constexpr Quadrature kReflectionQuadrature{24, 32, 3};
 constexpr Quadrature kBoundaryQuadrature{16, 40, 2};
 
 /// On which side of the boundary the light is seen from.
@@ -141,8 +141,9 @@ SpecularAlbedoTable::SpecularAlbedoTable() : average_{} {
       const float unit = unitOf(c, kCosines);
       whole_[r * kCosines + c] =
           integrateReflection(cosineAtMasking(unit, alphaOf(roughness)), roughness).whole();
-      const SpecularAlbedo albedo = integrateReflection(cosineAtFresnel(unit), roughness);
-      biasShare_[r * kCosines + c] = albedo.bias / albedo.whole();
+      const float cosine = cosineAtFresnel(unit);
+      const SpecularAlbedo albedo = integrateReflection(cosine, roughness);
+      biasShare_[r * kCosines + c] = albedo.bias / albedo.whole() - schlickWeight(cosine);
     }
   }
   // The means of the interpolated table itself, so that what one direction gives up all directions get back.

@@ -48,7 +48,7 @@ class SpecularAlbedoTable {
     [[nodiscard]] SpecularAlbedo directional(float cosine) const {
       if (whole_ == nullptr) return {1.0f - schlickWeight(cosine), schlickWeight(cosine)};
       const float whole = read(whole_, maskingCoordinate(cosine, alpha_));
-      const float bias = whole * read(biasShare_, fresnelCoordinate(cosine));
+      const float bias = whole * (schlickWeight(cosine) + read(biasShare_, fresnelCoordinate(cosine)));
       return {whole - bias, bias};
     }
     /// Cosine-weighted mean of directional() over the hemisphere.
@@ -83,8 +83,9 @@ class SpecularAlbedoTable {
   static constexpr std::size_t kCosines = 48;
   static constexpr std::size_t kRoughnesses = 48;
   static constexpr std::size_t kAverages = 128;
-  std::array<float, kCosines * kRoughnesses> whole_;      // over cosines relative to alpha
-  std::array<float, kCosines * kRoughnesses> biasShare_;  // bias over whole, over cosines
+  using Table = std::array<float, kCosines * kRoughnesses>;
+  Table whole_;      // over cosines relative to alpha
+  Table biasShare_;  // bias over whole, less Schlick's weight of the cosine (its smooth limit), over cosines
   std::array<SpecularAlbedo, kAverages> average_;
 };
 

@@ -104,9 +104,9 @@ TEST(WhiteFurnace, ReturnsAllLightFromMixedMaterials) {
 }
 
 TEST(WhiteFurnace, ReturnsAllLightFromBothSidesOfGlass) {
-  // The boundary's albedo is read from a coarser table, hence the wider limits: 2%, and down to 5% too dark
-  // within two degrees of grazing, where total reflection begins. In the mean over directions nothing may be
-  // gained.
+  // The boundary's albedo is read from a coarser table, hence the wider limits: 2%, and within two degrees of
+  // grazing, where total reflection begins, 5% too dark or 3% too bright. In the mean over directions nothing
+  // may be gained.
   for (const float ior : {1.0f, 1.1f, 1.5f, 2.4f}) {
     for (const bool inside : {false, true}) {
       for (const float roughness : kRoughnesses) {
@@ -123,7 +123,8 @@ TEST(WhiteFurnace, ReturnsAllLightFromBothSidesOfGlass) {
           flux += e.mean * cosine;
           weights += cosine;
           const double least = cosine < 0.1 ? 0.95 : 0.98;
-          if (e.mean < least - 3.5 * e.standardError || e.mean > 1.02 + 3.5 * e.standardError) {
+          const double most = cosine < 0.1 ? 1.03 : 1.02;
+          if (e.mean < least - 3.5 * e.standardError || e.mean > most + 3.5 * e.standardError) {
             ADD_FAILURE();
             describe(std::cerr, p, cosine, e);
             std::cerr << ", ior " << ior << '\n';
