@@ -107,6 +107,13 @@ void checkExtensions(const json& document, const std::string& source, Warnings& 
   }
 }
 
+/// The member of that name, or an empty value.
+const json& member(const json& object, const char* key) {
+  static const json empty;
+  const auto found = object.find(key);
+  return found == object.end() ? empty : *found;
+}
+
 /// Draco and meshopt may be used without being required, where the file has plain data to fall back on. Where
 /// it has none, the extension is what is missing, not the data.
 void checkCompression(const json& document, const std::string& source) {
@@ -114,8 +121,8 @@ void checkCompression(const json& document, const std::string& source) {
     throw InputError(source, "its data are compressed by the extension " + inQuotes(extension) +
                                  ", which is not supported");
   };
-  for (const json& buffer : document.value("buffers", json::array())) {
-    if (!buffer.contains("uri") && buffer.value("extensions", json::object()).contains(kMeshopt)) {
+  for (const json& buffer : member(document, "buffers")) {
+    if (!buffer.contains("uri") && member(buffer, "extensions").contains(kMeshopt)) {
       refuse(kMeshopt);
     }
   }
@@ -125,11 +132,10 @@ void checkCompression(const json& document, const std::string& source) {
     return accessors == document.end() || index >= accessors->size() ||
            (*accessors)[index].contains("bufferView");
   };
-  for (const json& mesh : document.value("meshes", json::array())) {
-    for (const json& primitive : mesh.value("primitives", json::array())) {
-      if (primitive.value("extensions", json::object()).contains(kDraco) &&
-          primitive.contains("attributes") && primitive["attributes"].contains("POSITION") &&
-          !hasData(primitive["attributes"]["POSITION"])) {
+  for (const json& mesh : member(document, "meshes")) {
+    for (const json& primitive : member(mesh, "primitives")) {
+      if (member(primitive, "extensions").contains(kDraco) && primitive.contains("attributes") &&
+          primitive["attributes"].contains("POSITION") && !hasData(primitive["attributes"]["POSITION"])) {
         refuse(kDraco);
       }
     }

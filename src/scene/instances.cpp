@@ -100,21 +100,23 @@ std::vector<Instance> placeMeshes(const Gltf& gltf, const std::vector<PlacedNode
     }
     const std::string place = at("nodes", static_cast<std::size_t>(placed.node));
     gltf.checkIndex(node.mesh, gltf.model.meshes.size(), place + ".mesh", "mesh");
-    Joints joints;
+    const Joints* joints = nullptr;
     if (node.skin >= 0) {
       warnings.add("skinned meshes are shown at rest");
       joints = skins.joints(node.skin, place + ".skin");
     }
-    const std::vector<int> shown = meshes.meshesOf(node, joints);
+    const std::vector<int>& shown = meshes.meshesOf(node, joints);
     if (shown.empty()) {
       continue;
     }
     const std::vector<glm::dmat4> transforms = objectTransforms(gltf, placed.node, accessors, budget);
     budget.chargeInstances(transforms.size() * shown.size());
-    budget.chargeGeometry(transforms.size() * shown.size(), sizeof(Instance));
+    const std::string name = printable(node.name);
+    budget.chargeGeometry(transforms.size() * shown.size(), sizeof(Instance) + name.size());
     for (const glm::dmat4& nodeFromObject : transforms) {
       // The transform of a skinned mesh's node does not count (glTF 2.0, 3.7.3.3).
-      const glm::dmat4 worldFromObject = joints ? nodeFromObject : placed.worldFromNode * nodeFromObject;
+      const glm::dmat4 worldFromObject =
+          joints != nullptr ? nodeFromObject : placed.worldFromNode * nodeFromObject;
       const Placement placement = judge(worldFromObject);
       if (placement == Placement::kNotFinite) {
         gltf.fail(place, "an instance's transform is not finite or beyond 1e15");
@@ -124,7 +126,7 @@ std::vector<Instance> placeMeshes(const Gltf& gltf, const std::vector<PlacedNode
         continue;
       }
       for (const int mesh : shown) {
-        instances.push_back({printable(node.name), mesh, glm::mat4x3(worldFromObject)});
+        instances.push_back({name, mesh, glm::mat4x3(worldFromObject)});
       }
     }
   }

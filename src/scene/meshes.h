@@ -20,20 +20,26 @@ class MeshStore {
   /// Indices in Scene::meshes of the primitives of the mesh that `node` shows, without those that hold no
   /// triangles. With `joints` (of the node's skin), meshes that are already in world space.
   /// Precondition: the node's mesh and skin indices are good. Throws InputError.
-  [[nodiscard]] std::vector<int> meshesOf(const tinygltf::Node& node, const Joints& joints);
+  [[nodiscard]] const std::vector<int>& meshesOf(const tinygltf::Node& node, const Joints* joints);
 
   [[nodiscard]] std::vector<Mesh> take() { return std::move(meshes_); }
 
  private:
-  // Mesh, primitive, skin (-1: none), morph target weights.
-  using Key = std::tuple<int, std::size_t, int, std::vector<double>>;
+  // Mesh, skin (-1: none), the node's own morph target weights.
+  using Key = std::tuple<int, int, std::vector<double>>;
+
+  /// The primitives of a mesh that may have triangles.
+  [[nodiscard]] const std::vector<std::size_t>& drawable(int mesh);
+  [[nodiscard]] std::vector<int> build(const tinygltf::Node& node, const Joints* joints);
+  [[nodiscard]] static std::string place(int mesh, std::size_t primitive);
 
   const Gltf& gltf_;
   const Accessors& accessors_;
   const std::vector<Material>& materials_;
   Budget& budget_;
   Warnings& warnings_;
-  std::map<Key, int> built_;
+  std::map<Key, std::vector<int>> shown_;
+  std::map<int, std::vector<std::size_t>> drawable_;
   std::vector<Mesh> meshes_;
 };
 

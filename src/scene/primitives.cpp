@@ -1,6 +1,7 @@
 #include "src/scene/primitives.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -57,16 +58,9 @@ class PrimitiveReader {
 
   /// Nothing if there are no triangles in it.
   [[nodiscard]] std::optional<Mesh> read(const std::vector<Material>& materials,
-                                         const std::vector<double>& weights, const Joints& joints) {
+                                         const std::vector<double>& weights, const Joints* joints) {
     const std::optional<Topology> topology = topologyOf(gltf_, primitive_.mode, place_ + ".mode");
-    if (!topology) {
-      warnings_.add("points and lines are not shown");
-      return std::nullopt;
-    }
-    if (attribute("POSITION") < 0) {
-      warnings_.add(place_ + ": has no POSITION and is left out");
-      return std::nullopt;
-    }
+    assert(topology && attribute("POSITION") >= 0);
     readMaterial(materials);
     readPositions();
     readTriangles(*topology);
@@ -77,7 +71,7 @@ class PrimitiveReader {
     readColorsAndTexCoords();
     readFrames();
     morph(weights);
-    if (joints && !pose(*joints)) {
+    if (joints != nullptr && !pose(*joints)) {
       return std::nullopt;
     }
     return finishFrames(std::move(mesh_), materials[static_cast<std::size_t>(mesh_.material)], gltf_, place_,
@@ -155,21 +149,29 @@ class PrimitiveReader {
       }
       mesh_.texCoords[set] = accessors_.readVec2(attribute(name), placeOf(name));
       checkCount(mesh_.texCoords[set].size(), placeOf(name));
+      bool bad = false;
       for (glm::vec2& texCoord : mesh_.texCoords[set]) {
         if (!isFinite(texCoord)) {
-          warnings_.add(placeOf(name) + ": found coordinates that are not finite; 0 is taken");
+          bad = true;
           texCoord = glm::vec2(0.0f);
         }
+      }
+      if (bad) {
+        warnings_.add(placeOf(name) + ": found coordinates that are not finite; 0 is taken");
       }
     }
     if (attribute("COLOR_0") >= 0) {
       mesh_.colors = accessors_.readColors(attribute("COLOR_0"), placeOf("COLOR_0"));
       checkCount(mesh_.colors.size(), placeOf("COLOR_0"));
+      bool bad = false;
       for (glm::vec4& color : mesh_.colors) {
         if (!isFinite(color) || color != glm::clamp(color, 0.0f, 1.0f)) {
-          warnings_.add(placeOf("COLOR_0") + ": found colours outside 0 to 1; they are limited");
+          bad = true;
           color = isFinite(color) ? glm::clamp(color, 0.0f, 1.0f) : glm::vec4(1.0f);
         }
+      }
+      if (bad) {
+        warnings_.add(placeOf("COLOR_0") + ": found colours outside 0 to 1; they are limited");
       }
     }
   }
@@ -220,7 +222,7 @@ class PrimitiveReader {
   }
 
   /// False if the primitive has nothing to bind it to joints.
-  [[nodiscard]] bool pose(const std::vector<glm::dmat4>& joints) {
+  [[nodiscard]] bool pose(const Joints& joints) {
     Binding binding;
     for (int set = 0; set < 2; ++set) {
       const std::string jointsName = "JOINTS_" + std::to_string(set);
@@ -252,6 +254,19 @@ class PrimitiveReader {
 };
 
 }  // namespace
+
+bool hasTriangles(const Gltf& gltf, const tinygltf::Primitive& primitive, const std::string& place,
+                  Warnings& warnings) {
+  if (!topologyOf(gltf, primitive.mode, place + ".mode")) {
+    warnings.add("points and lines are not shown");
+    return false;
+  }
+  if (!primitive.attributes.contains("POSITION")) {
+    warnings.add(place + ": has no POSITION and is left out");
+    return false;
+  }
+  return true;
+}
 
 std::optional<Mesh> readPrimitive(const Gltf& gltf, const Accessors& accessors,
                                   const tinygltf::Primitive& primitive, const std::string& place,

@@ -11,14 +11,19 @@
 
 namespace promenade::scene {
 
-/// worldFromBind of each joint; nothing for a mesh without skin.
-using Joints = std::optional<std::vector<glm::dmat4>>;
+/// worldFromBind of each joint of a skin.
+using Joints = std::vector<glm::dmat4>;
 
 /// What deforms a primitive at rest.
 struct Pose {
-  std::vector<double> weights;  ///< of the morph targets; empty: all zero
-  Joints joints;
+  const std::vector<double>& weights;  ///< of the morph targets; empty: all zero
+  const Joints* joints = nullptr;      ///< null for a mesh without skin
 };
+
+/// Whether the primitive has positions and is not made of points or lines (else a warning is added). Throws
+/// InputError for a mode that glTF does not have.
+[[nodiscard]] bool hasTriangles(const Gltf& gltf, const tinygltf::Primitive& primitive,
+                                const std::string& place, Warnings& warnings);
 
 /// `materials` are the file's, followed by the default material. Nothing (and a warning) if the primitive has
 /// no triangles. With joints the mesh is in world space. Throws InputError; `place` names the primitive.

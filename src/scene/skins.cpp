@@ -9,8 +9,8 @@ namespace promenade::scene {
 namespace {
 
 /// The matrix that blends the joints of one vertex; weights need not sum to one in files as they are.
-glm::dmat4 blendedJoint(const Binding& binding, std::size_t vertex, const std::vector<glm::dmat4>& joints,
-                        const Gltf& gltf, const std::string& place) {
+glm::dmat4 blendedJoint(const Binding& binding, std::size_t vertex, const Joints& joints, const Gltf& gltf,
+                        const std::string& place) {
   glm::dmat4 sum(0.0);
   double total = 0.0;
   for (std::size_t set = 0; set < binding.joints.size(); ++set) {
@@ -19,12 +19,12 @@ glm::dmat4 blendedJoint(const Binding& binding, std::size_t vertex, const std::v
       if (!(weight > 0.0) || !std::isfinite(weight)) {
         continue;
       }
-      const auto joint = static_cast<std::size_t>(binding.joints[set][vertex][i]);
-      if (joint >= joints.size()) {
+      const float joint = binding.joints[set][vertex][i];
+      if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
         gltf.fail(place, "found joint " + std::to_string(joint) + ", but its skin has " +
                              std::to_string(joints.size()));
       }
-      sum += weight * joints[joint];
+      sum += weight * joints[static_cast<std::size_t>(joint)];
       total += weight;
     }
   }
@@ -50,16 +50,16 @@ SkinStore::SkinStore(const Gltf& gltf, const std::vector<PlacedNode>& nodes, con
   }
 }
 
-const Joints& SkinStore::joints(int skin, const std::string& place) {
+const Joints* SkinStore::joints(int skin, const std::string& place) {
   gltf_.checkIndex(skin, gltf_.skins.size(), place, "skin");
   const auto [found, isNew] = found_.try_emplace(skin);
   if (isNew) {
     found->second = find(skin);
   }
-  return found->second;
+  return found->second ? &*found->second : nullptr;
 }
 
-Joints SkinStore::find(int skin) const {
+std::optional<Joints> SkinStore::find(int skin) const {
   const SkinSource& source = gltf_.skins[static_cast<std::size_t>(skin)];
   const std::string place = at("skins", static_cast<std::size_t>(skin));
   std::vector<glm::dmat4> matrices;
@@ -90,7 +90,7 @@ Joints SkinStore::find(int skin) const {
   return matrices;
 }
 
-Mesh poseMesh(Mesh mesh, const Binding& binding, const std::vector<glm::dmat4>& joints, const Gltf& gltf,
+Mesh poseMesh(Mesh mesh, const Binding& binding, const Joints& joints, const Gltf& gltf,
               const std::string& place) {
   std::vector<bool> mirrored(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

@@ -1,5 +1,5 @@
-// Thousands of small damages to small scenes: each loads or is refused with one line. The seed is fixed, so a
-// failure repeats.
+// Many small damages to small scenes: each loads or is refused with one line. The seed is fixed, so that a failure
+// repeats; --gtest_random_seed=N gives others.
 
 #include <gtest/gtest.h>
 
@@ -135,7 +135,7 @@ Outcome tryToLoad(const std::filesystem::path& file) {
 template <class Next>
 void hammer(const std::string& name, Next next) {
   const tests::TemporaryFolder folder;
-  Random random(20240229);
+  Random random(20240229u + static_cast<std::uint64_t>(GTEST_FLAG_GET(random_seed)));
   const auto end = std::chrono::steady_clock::now() + kTime;
   std::array<int, 2> outcomes{};
   for (int i = 0; i < kMost && std::chrono::steady_clock::now() < end; ++i) {

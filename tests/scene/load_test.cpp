@@ -489,6 +489,23 @@ TEST(LargeScenes, OfAChainOfAHundredThousandNodesLoad) {
   EXPECT_EQ(loadJson(document).instances.size(), 1u);
 }
 
+TEST(LargeScenes, OfManyNodesThatShareAMeshOfManyPointsLoadQuickly) {
+  // 20,000 nodes x 20,000 primitives without triangles: 400 million pairs, none of which is looked at.
+  json document = triangleScene();
+  document["meshes"][0]["primitives"] = json::array();
+  document["nodes"] = json::array();
+  document.erase("scenes");
+  document.erase("scene");
+  for (int i = 0; i < 20'000; ++i) {
+    document["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
+    document["nodes"].push_back({{"mesh", 0}});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(loadJson(document).instances.empty());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 10.0);
+}
+
 TEST(LargeScenes, InstancesByTheBillionAreRefused) {
   // 100 primitives of one triangle in each of 100,000 nodes: 10 million instances of 2 MB of JSON.
   json document = triangleScene();
