@@ -23,17 +23,27 @@ function(promenade_library name)
   target_include_directories(promenade_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 endfunction()
 
-# promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...]): one executable, one CTest entry a test case.
+# promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...] [TIMEOUT seconds] [SLOW Suite.Test ...]):
+# one executable, one CTest entry a test case. SLOW names test cases, * allowed, that get the label "slow": the
+# sanitizer builds leave them out.
 function(promenade_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;SLOW" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE promenade_flags ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
   target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
-                       PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  # g++ 12 warns of its own std::string (GCC bug 105651).
+  target_compile_options(${name} PRIVATE -Wno-restrict)
+  set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
+  if(ARG_SLOW)
+    list(JOIN ARG_SLOW ":" slow)
+    gtest_discover_tests(${name} ${discovery} TEST_FILTER "${slow}"
+                         PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS};slow")
+    set(others TEST_FILTER "-${slow}")
+  endif()
+  gtest_discover_tests(${name} ${discovery} ${others} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
 endfunction()
 if(PROMENADE_TESTS)
   include(GoogleTest)

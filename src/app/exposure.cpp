@@ -4,32 +4,37 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "src/app/values.h"
 #include "src/core/display.h"
 #include "src/io/json.h"
+#include "src/walkthrough/walkthrough.h"
 
 namespace promenade::app {
 namespace {
 
-struct LogSum {
-  double sum = 0.0;
-  double count = 0.0;
-};
-
-// The same rule as walkthrough::automaticExposure: darker pixels than a ten-thousandth of the brightest count
-// as that.
-void addImage(LogSum& log, const RadianceMap& radiance) {
-  double brightest = 0.0;
-  for (const Rgb& value : radiance.pixels()) {
-    const double l = static_cast<double>(luminance(value));
-    if (std::isfinite(l)) brightest = std::max(brightest, l);
-  }
-  for (const Rgb& value : radiance.pixels()) {
-    const double l = static_cast<double>(luminance(value));
-    if (!std::isfinite(l)) continue;
-    log.sum += std::log2(std::max({l, 1e-4 * brightest, 1e-30}));
-    log.count += 1.0;
+// Mean luminances of about square parts, eight across (fewer where the image is smaller), as the renderer
+// looks at its own frames.
+void addParts(std::vector<double>& luminances, const RadianceMap& radiance) {
+  const auto [width, height] = radiance.size();
+  const int columns = std::min(8, width);
+  const int rows = std::clamp(static_cast<int>(std::lround(double(columns) * height / width)), 1, height);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      double sum = 0.0;
+      double count = 0.0;
+      for (int y = height * row / rows; y < height * (row + 1) / rows; ++y) {
+        for (int x = width * column / columns; x < width * (column + 1) / columns; ++x) {
+          const double l = static_cast<double>(luminance(radiance(x, y)));
+          if (!std::isfinite(l)) continue;
+          sum += l;
+          count += 1.0;
+        }
+      }
+      if (count > 0.0) luminances.push_back(sum / count);
+    }
   }
 }
 
@@ -37,26 +42,23 @@ void addImage(LogSum& log, const RadianceMap& radiance) {
 
 double exposureFor(std::span<const io::Sequence> sequences) {
   constexpr std::size_t kFrames = 7;
-  constexpr double kMiddleGrey = 0.18;
-  double sum = 0.0;
-  double count = 0.0;
+  std::vector<double> luminances;
   for (const io::Sequence& sequence : sequences) {
-    LogSum log;
     const std::size_t images = sequence.images.size();
     for (std::size_t k = 0; k < std::min(kFrames, images); ++k) {
       const std::size_t index = images <= kFrames ? k : k * (images - 1) / (kFrames - 1);
       const io::ImageFile image = io::readImage(sequence.images[index]);
-      if (const auto* radiance = std::get_if<RadianceMap>(&image.colour)) addImage(log, *radiance);
+      if (const auto* radiance = std::get_if<RadianceMap>(&image.colour)) addParts(luminances, *radiance);
     }
-    sum += log.sum;
-    count += log.count;
   }
-  if (count == 0.0) return 0.0;
-  return std::round(10.0 * std::clamp(std::log2(kMiddleGrey) - sum / count, -40.0, 40.0)) / 10.0;
+  return walkthrough::exposureOf(std::move(luminances));
 }
 
 std::optional<double> renderedExposure(const std::string& argument) {
-  const std::filesystem::path report = std::filesystem::path(argument) / "report.json";
+  std::filesystem::path folder(argument);
+  if (!folder.has_filename()) folder = folder.parent_path();
+  if (folder.filename() == "frames") folder = folder.parent_path();
+  const std::filesystem::path report = folder / "report.json";
   if (!std::filesystem::is_regular_file(report)) return std::nullopt;
   const nlohmann::json root = io::readJson(report);
   if (!root.is_object() || !root.contains("job") || !root["job"].is_object()) return std::nullopt;

@@ -15,7 +15,7 @@ namespace promenade::app {
 [[nodiscard]] double exposureFor(std::span<const io::Sequence> sequences);
 
 /// The exposure that the report beside the frames names, if `argument` is a folder that `promenade render`
-/// filled.
+/// filled, or the frames in it.
 [[nodiscard]] std::optional<double> renderedExposure(const std::string& argument);
 
 /// "auto" or stops. For "auto" what all the sequences were rendered with, where they agree; else

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "src/core/resolve.h"
@@ -11,35 +12,38 @@
 
 namespace promenade::walkthrough {
 
+double exposureOf(std::vector<double> luminances) {
+  constexpr double kMiddleGrey = 0.18;
+  // Darker parts count as this share of the mean, so that a black corner does not decide.
+  constexpr double kDarkest = 1e-2;
+  std::erase_if(luminances, [](double l) { return !std::isfinite(l); });
+  std::sort(luminances.begin(), luminances.end());
+  for (double& l : luminances) l = std::max(l, 0.0);
+  const auto count = std::max<double>(1.0, static_cast<double>(luminances.size()));
+  const double mean = std::accumulate(luminances.begin(), luminances.end(), 0.0) / count;
+  if (!(mean > 0.0)) return 0.0;
+  double sum = 0.0;
+  for (const double l : luminances) sum += std::log2(std::max(l, kDarkest * mean));
+  const double ev = std::log2(kMiddleGrey) - sum / count;
+  return std::round(10.0 * std::clamp(ev, -40.0, 40.0)) / 10.0;
+}
+
 double automaticExposure(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
                          Size size) {
   constexpr int kFrames = 7;
   constexpr int kBlock = 8;
   constexpr int kColumns = 8;  // of blocks
-  constexpr double kMiddleGrey = 0.18;
-  // Darker blocks count as this share of the mean, so that a black corner does not decide.
-  constexpr double kDarkest = 1e-2;
   const int rows =
       std::clamp(static_cast<int>(std::lround(double(kColumns) * size.height / size.width)), 1, 4 * kColumns);
-  std::vector<double>
-      blocks;  // their mean luminances: the noise of single samples must not enter the logarithm
+  std::vector<double> blocks;
   for (int k = 0; k < kFrames; ++k) {
     const int index =
         frames.first + static_cast<int>(std::lround((frames.count() - 1) * k / double(kFrames - 1)));
     const Frame frame = renderer.render(path.camera(index, {kColumns * kBlock, rows * kBlock}), index);
     const RadianceMap means = resolveRadiance(combinedRadiance(frame), kBlock);
-    for (const Rgb& mean : means.pixels()) {
-      const double l = luminance(mean);
-      if (std::isfinite(l)) blocks.push_back(std::max(l, 0.0));
-    }
+    for (const Rgb& mean : means.pixels()) blocks.push_back(luminance(mean));
   }
-  const double mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) /
-                      std::max<double>(1.0, static_cast<double>(blocks.size()));
-  if (!(mean > 0.0)) return 0.0;
-  double sum = 0.0;
-  for (const double l : blocks) sum += std::log2(std::max(l, kDarkest * mean));
-  const double ev = std::log2(kMiddleGrey) - sum / static_cast<double>(blocks.size());
-  return std::round(10.0 * std::clamp(ev, -40.0, 40.0)) / 10.0;
+  return exposureOf(std::move(blocks));
 }
 
 }  // namespace promenade::walkthrough

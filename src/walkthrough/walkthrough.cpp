@@ -203,7 +203,7 @@ Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& rend
 double memoryNeededBytes(const Settings& settings) {
   // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
   // of splits, the middle's and an inbetween's visibility and two warps each, the blended frame. A display
-  // pixel takes about 4 kB inside the metric.
+  // pixel takes at most 1 kB in the metric and the maps around it.
   const double samples =
       static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
   const double keyframes =

@@ -3,6 +3,7 @@
 // Source: Myszkowski, Rokita, Tawara 1999, 2000; docs/method.md.
 
 #include <functional>
+#include <vector>
 
 #include "aqm/metric.h"
 #include "ibr/warp.h"
@@ -63,8 +64,13 @@ struct Outputs {
 [[nodiscard]] Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
                                            const Settings& settings, const Outputs& outputs);
 
-/// One exposure for the whole walk: the log-average luminance of a few small frames spread over it is brought
-/// to the middle grey of 0.18 (Reinhard et al. 2002, eq. 1 and 2). Whole numbers of a tenth of a stop.
+/// The stops that bring the log-average of these luminances to the middle grey of 0.18 (Reinhard et al. 2002,
+/// eq. 1 and 2), rounded to a tenth. They should be means of parts of an image: the noise of single samples
+/// must not enter the logarithm. What is not finite does not count; 0 if there is no light. Their order
+/// changes nothing.
+[[nodiscard]] double exposureOf(std::vector<double> luminances);
+
+/// exposureOf() the blocks of a few small frames spread over the walk: one exposure for all of it.
 [[nodiscard]] double automaticExposure(const paths::CameraPath& path, FrameRange frames,
                                        const Renderer& renderer, Size size);
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <map>
 #include <numeric>
 
@@ -227,6 +229,26 @@ TEST(Walkthrough, StopsWhenProgressSaysSo) {
   };
   EXPECT_THROW((void)renderWalkthrough(path, renderer, settingsFor(path), outputs), Interrupted);
   EXPECT_EQ(delivered, 3);
+}
+
+TEST(ExposureOf, BringsTheLogAverageToMiddleGrey) {
+  // Geometric mean of 0.09 and 0.36: 0.18.
+  EXPECT_DOUBLE_EQ(exposureOf({0.09, 0.36}), 0.0);
+  // 0.18 / 0.045 = 4: two stops.
+  EXPECT_DOUBLE_EQ(exposureOf({0.045, 0.045}), 2.0);
+}
+
+TEST(ExposureOf, IsNotDecidedByABlackCorner) {
+  // Mean (3 * 0.24 + 0) / 4 = 0.18, so black counts as 0.0018: log2(0.18) - (3 log2(0.24) + log2(0.0018)) / 4
+  // = -2.474 - (-6.177 - 9.118) / 4 = 1.350.
+  EXPECT_NEAR(exposureOf({0.24, 0.0, 0.24, 0.24}), 1.35, 0.0501);
+  EXPECT_EQ(exposureOf({0.0, 0.24, 0.24, 0.24}), exposureOf({0.24, 0.24, 0.24, 0.0}));
+}
+
+TEST(ExposureOf, IsZeroWithoutLight) {
+  EXPECT_EQ(exposureOf({}), 0.0);
+  EXPECT_EQ(exposureOf({0.0, 0.0}), 0.0);
+  EXPECT_EQ(exposureOf({std::numeric_limits<double>::quiet_NaN(), 0.18}), 0.0);
 }
 
 TEST(AutomaticExposure, BringsTheLogAverageToMiddleGrey) {
