@@ -34,8 +34,6 @@ function(promenade_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE promenade_flags ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
   target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # g++ 12 warns of its own std::string (GCC bug 105651).
-  target_compile_options(${name} PRIVATE -Wno-restrict)
   set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
   if(ARG_SLOW)
     list(JOIN ARG_SLOW ":" slow)
