@@ -8,13 +8,15 @@
 #include <glm/geometric.hpp>
 
 #include "src/render/ray_offset.h"
+#include "src/render/scattering_surface.h"
 
 namespace promenade::render {
 namespace {
 
 constexpr int kFirstRoulette = 3;  ///< scatterings before Russian roulette may end a path
 constexpr float kLeastSurvival = 0.05f;
-constexpr int kMostPassages = 64;  ///< straight through panes and blended surfaces, along one path
+constexpr float kHiddenSkyShare = 0.25f;  ///< samples of the sky where the guide has seen none of it
+constexpr int kMostPassages = 64;         ///< straight through panes and blended surfaces, along one path
 /// Width of the pencil of rays after scattering with density pdf, per unit distance: a fraction of the solid
 /// angle 1/pdf that one sample stands for. Only texture filtering depends on it.
 constexpr float kSpreadOfScattering = 0.15f;
@@ -106,6 +108,12 @@ struct PathTracer::Vertex {
   }
 };
 
+/// Expected samples of the environment and of the other lights at a vertex.
+struct PathTracer::Shares {
+  float environment = 0.0f;
+  float local = 0.0f;
+};
+
 /// A path between two vertices.
 struct PathTracer::Carried {
   glm::vec3 origin;
@@ -118,9 +126,7 @@ struct PathTracer::Carried {
   glm::vec3 scatterPosition{0.0f}, scatterNormal{0.0f};
   float scatterPdf = 0.0f;
   bool scatterDelta = true;
-  float environmentShare =
-      0.0f;  ///< expected samples of the environment and of the other lights at that vertex
-  float localShare = 0.0f;
+  Shares shares;
   const SkyGuide::View* sky = nullptr;
   float width = 0.0f;  ///< of the pencil of rays at the origin
   float spread = 0.0f;
@@ -181,21 +187,40 @@ PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& unitDir
       look,           hit.instance, point.material, sky_ ? &sky_->viewFrom(point.position, facing) : nullptr};
 }
 
-/// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen; a share below 1 is the
-/// probability that the kind of light is asked at all.
+/// Both kinds of light, the sky less often where none of it has been seen.
+PathTracer::Shares PathTracer::firstShares(const Vertex& vertex) const {
+  Shares shares;
+  if (vertex.sky != nullptr) shares.environment = vertex.sky->share > 0.0f ? 1.0f : kHiddenSkyShare;
+  if (!lights_.empty()) shares.local = 1.0f;
+  return shares;
+}
+
+/// One kind of light only.
+PathTracer::Shares PathTracer::laterShares(const Vertex& vertex) const {
+  Shares shares = firstShares(vertex);
+  if (shares.environment > 0.0f && shares.local > 0.0f) {
+    shares.environment *= 0.5f;
+    shares.local = 1.0f - shares.environment;
+  }
+  return shares;
+}
+
+/// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
+/// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own.
 template <class Add>
-void PathTracer::sampleLights(const Vertex& vertex, Sampler& sampler, float environmentShare,
-                              float localShare, const Add& add) const {
-  bool askEnvironment = environmentShare > 0.0f;
-  bool askLocal = localShare > 0.0f;
-  if (askEnvironment && askLocal && environmentShare + localShare <= 1.0f) {
-    askEnvironment = sampler.next1D() < environmentShare;
-    askLocal = !askEnvironment;
+void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
+                              Sampler& sampler, const Add& add) const {
+  bool askEnvironment = shares.environment > 0.0f;
+  bool askLocal = shares.local > 0.0f;
+  if (askEnvironment && shares.environment < 1.0f) {
+    const float choose = sampler.next1D();
+    askEnvironment = choose < shares.environment;
+    if (shares.local < 1.0f) askLocal = askLocal && !askEnvironment;
   }
   const auto weigh = [&](const LightSample& light, float share) {
     const glm::vec3 wi = vertex.basis.toLocal(light.direction);
     if (!vertex.agree(wi, light.direction)) return;
-    const BsdfValue f = evaluateBsdf(vertex.look.bsdf, vertex.wo, wi);
+    const BsdfValue f = scattering.evaluate(wi);
     if (isBlack(f.diffuse + f.viewDependent)) return;
     const float pdf = light.pdf * share;
     const float weight = (light.delta ? 1.0f : powerHeuristic(pdf, f.pdf)) / pdf;
@@ -212,14 +237,14 @@ void PathTracer::sampleLights(const Vertex& vertex, Sampler& sampler, float envi
       light.atInfinity = true;
       light.radiance = s.radiance;
       light.pdf = s.pdf;
-      weigh(light, environmentShare);
+      weigh(light, shares.environment);
     }
   }
   if (askLocal) {
     const float choose = sampler.next1D();
     const std::optional<LightSample> light =
         lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
-    if (light && light->pdf > 0.0f) weigh(*light, localShare);
+    if (light && light->pdf > 0.0f) weigh(*light, shares.local);
   }
 }
 
@@ -232,7 +257,6 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     }
     sum += radiance;
   };
-  const float laterShare = lights_.empty() || !environment_ ? 1.0f : 0.5f;
   for (int passages = 0; passages < kMostPassages;) {
     Ray ray;
     ray.origin = path.origin;
@@ -244,7 +268,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
         const float weight = path.scatterDelta
                                  ? 1.0f
                                  : powerHeuristic(path.scatterPdf, sky_->pdf(*path.sky, path.direction) *
-                                                                       path.environmentShare);
+                                                                       path.shares.environment);
         add(path.throughput * environment_->radiance(path.direction) * weight, path.bounces);
       }
       break;
@@ -266,16 +290,18 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       if (!path.scatterDelta && !vertex.look.unlit) {
         const float distance = glm::length(vertex.position - path.scatterPosition);
         const Lights::Found found{hit.instance, hit.triangle, path.direction, distance};
-        const float lightPdf = lights_.pdf(found, path.scatterPosition, path.scatterNormal) * path.localShare;
+        const float lightPdf =
+            lights_.pdf(found, path.scatterPosition, path.scatterNormal) * path.shares.local;
         weight = powerHeuristic(path.scatterPdf, lightPdf);
       }
       add(path.throughput * vertex.look.emission * weight, path.bounces);
     }
     if (vertex.look.unlit || path.bounces >= settings_.maxBounces) break;
 
-    const float environmentShare = environment_ ? laterShare : 0.0f;
-    const float localShare = lights_.empty() ? 0.0f : laterShare;
-    sampleLights(vertex, sampler, environmentShare, localShare,
+    if (!(vertex.wo.z > 0.0f)) break;
+    const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
+    const Shares shares = laterShares(vertex);
+    sampleLights(vertex, scattering, shares, sampler,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
                    add(path.throughput * (diffuse + viewDependent) * embree_.transmittance(shadow),
@@ -283,7 +309,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
                  });
 
     const float choose = sampler.next1D();
-    const BsdfSample s = sampleBsdf(vertex.look.bsdf, vertex.wo, choose, sampler.next2D());
+    const BsdfSample s = scattering.sample(choose, sampler.next2D());
     const Rgb scattered = s.diffuse + s.viewDependent;
     if (!(s.pdf > 0.0f) || isBlack(scattered)) break;
     if (vertex.isStraightThrough(s)) {
@@ -310,8 +336,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     path.scatterNormal = vertex.facing;
     path.scatterPdf = s.pdf;
     path.scatterDelta = s.delta;
-    path.environmentShare = environmentShare;
-    path.localShare = localShare;
+    path.shares = shares;
     path.sky = vertex.sky;
     path.blurred = path.blurred || !s.delta;
     if (!s.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(s.pdf));
@@ -331,8 +356,9 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
   if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
 
   const int count = settings_.pathsPerSample;
-  const float environmentShare = environment_ ? 1.0f : 0.0f;
-  const float localShare = lights_.empty() ? 0.0f : 1.0f;
+  const bool scatters = !look.unlit && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f;
+  const ScatteringSurface scattering(look.bsdf, scatters ? vertex.wo : glm::vec3(0.0f, 0.0f, 1.0f));
+  const Shares shares = firstShares(vertex);
   ShadowBatch shadows(embree_, sum);
   for (int i = 0; i < count; ++i) {
     Sampler sampler(stream, static_cast<std::uint32_t>(i));
@@ -346,16 +372,16 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
       continue;
     }
     sum.diffuse += look.emission;
-    if (look.unlit || settings_.maxBounces < 1) continue;
+    if (!scatters) continue;
 
-    sampleLights(vertex, sampler, environmentShare, localShare,
+    sampleLights(vertex, scattering, shares, sampler,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
                    shadows.add(shadow, diffuse, viewDependent);
                  });
 
     const float choose = sampler.next1D();
-    const BsdfSample s = sampleBsdf(look.bsdf, vertex.wo, choose, sampler.next2D());
+    const BsdfSample s = scattering.sample(choose, sampler.next2D());
     const Rgb scattered = s.diffuse + s.viewDependent;
     if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
     if (vertex.isStraightThrough(s)) {
@@ -370,8 +396,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
       next.scatterNormal = vertex.facing;
       next.scatterPdf = s.pdf;
       next.scatterDelta = s.delta;
-      next.environmentShare = environmentShare;
-      next.localShare = localShare;
+      next.shares = shares;
       next.sky = vertex.sky;
       next.bounces = 1;
       if (s.wi.z < 0.0f && !look.bsdf.thinWalled)

@@ -14,6 +14,8 @@
 
 namespace promenade::render {
 
+class ScatteringSurface;
+
 struct SampleRadiance {
   Rgb diffuse{0.0f};
   Rgb viewDependent{0.0f};
@@ -42,12 +44,15 @@ class PathTracer {
  private:
   struct Vertex;
   struct Carried;
+  struct Shares;
   class ShadowBatch;
 
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, float width) const;
+  [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
+  [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
   template <class Add>
-  void sampleLights(const Vertex& vertex, Sampler& sampler, float environmentShare, float localShare,
-                    const Add& add) const;
+  void sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
+                    Sampler& sampler, const Add& add) const;
   [[nodiscard]] Rgb follow(Carried carried, Sampler& sampler, PathRays& rays) const;
 
   PathSettings settings_;

@@ -217,6 +217,8 @@ std::unique_ptr<SkyGuide::View> SkyGuide::look(std::size_t slot) const {
   if (sum > 0.0f) {
     for (float& c : view->cumulative) c /= sum;
     view->cumulative.back() = 1.0f;
+    for (std::size_t row = 0; row < kEdge; ++row)
+      view->rowEnds[row] = view->cumulative[(row + 1) * kEdge - 1];
     const float arrivedShare = asked > 0.0f ? arrived / asked : 0.0f;
     view->share = std::clamp(1.0f - arrivedShare, kLeastShare, kMostShare);
   }
@@ -230,7 +232,9 @@ EnvironmentSample SkyGuide::sample(const View& view, float choose, glm::vec2 u) 
     if (!(s.pdf > 0.0f)) return s;
   } else {
     const float which = std::min(choose / view.share, kOneBelow);
-    const auto found = std::upper_bound(view.cumulative.begin(), view.cumulative.end(), which);
+    const auto rowEnd = std::upper_bound(view.rowEnds.begin(), view.rowEnds.end() - 1, which);
+    const auto row = view.cumulative.begin() + (rowEnd - view.rowEnds.begin()) * kEdge;
+    const auto found = std::upper_bound(row, row + kEdge, which);
     const int bin = std::min(static_cast<int>(found - view.cumulative.begin()), kBins - 1);
     s.direction = directionAt(bin, u.x, u.y);
     s.radiance = environment_.radiance(s.direction);

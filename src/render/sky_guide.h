@@ -32,6 +32,8 @@ class SkyGuide {
 
   /// What one cell sees on one side.
   struct View {
+    std::array<float, kEdge>
+        rowEnds;  ///< cumulative at the last bin of each row: a search stays in few cache lines
     std::array<float, kBins> cumulative;  ///< the last is 1 (unless nothing of the sky is seen)
     float share = 0.0f;  ///< of samples drawn from the histogram; the rest from the environment
   };
