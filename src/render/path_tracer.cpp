@@ -50,9 +50,18 @@ struct Basis {
   [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
 };
 
+/// Along the pencil's cross-section, or as if it met the surface at a right angle: enough for light that is
+/// blurred anyway.
+enum class Filtering { kAlongSurface, kRound };
+
 /// Akenine-Moeller et al., Improved Shader and Texture Level of Detail Using Ray Cones (JCGT 10(1), 2021),
 /// sec. 3.
-Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, float width) {
+Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, float width,
+                        Filtering filtering) {
+  if (filtering == Filtering::kRound) {
+    const Basis basis(normal);
+    return {basis.x * width, basis.y * width};
+  }
   const float cosine = std::max(std::abs(glm::dot(normal, direction)), 1e-3f);
   const glm::vec3 inPlane = direction - glm::dot(normal, direction) * normal;
   const float length = glm::length(inPlane);
@@ -177,10 +186,14 @@ Rgb PathTracer::background(const glm::vec3& unitDirection) const {
   return environment_ ? environment_->radiance(unitDirection) : Rgb(0.0f);
 }
 
-PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& unitDirection, float width) const {
+PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& unitDirection,
+                                        const Pencil& pencil) const {
   const SurfacePoint point = surfaces_.pointAt(hit, unitDirection);
   const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
-  SurfaceLook look = surfaces_.lookAt(point, unitDirection, projectPencil(facing, unitDirection, width));
+  SurfaceLook look =
+      surfaces_.lookAt(point, unitDirection,
+                       projectPencil(facing, unitDirection, pencil.width,
+                                     pencil.blurred ? Filtering::kRound : Filtering::kAlongSurface));
   const Basis basis(look.normal);
   return {
       point.position, facing,       basis,          basis.toLocal(-unitDirection),
@@ -278,7 +291,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
           surfaces_.scene().materials[static_cast<std::size_t>(path.medium)], hit.distance);
     }
     path.width += path.spread * hit.distance;
-    Vertex vertex = vertexAt(hit, path.direction, path.width);
+    Vertex vertex = vertexAt(hit, path.direction, {path.width, path.blurred});
     if (path.blurred) roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
     if (vertex.look.alpha < 1.0f && sampler.next1D() >= vertex.look.alpha) {
       path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
@@ -349,7 +362,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
   const float length = glm::length(primary.direction);
   const glm::vec3 direction = primary.direction / length;
   const float width = pixelWidth * hit.distance;
-  const Vertex vertex = vertexAt(hit, direction, width);
+  const Vertex vertex = vertexAt(hit, direction, {width, false});
   const SurfaceLook& look = vertex.look;
 
   SampleRadiance sum;

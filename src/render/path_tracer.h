@@ -43,11 +43,16 @@ class PathTracer {
 
  private:
   struct Vertex;
+  /// The rays that one path stands for, where they meet a surface.
+  struct Pencil {
+    float width = 0.0f;
+    bool blurred = false;  ///< some scattering before was not a mirror's
+  };
   struct Carried;
   struct Shares;
   class ShadowBatch;
 
-  [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, float width) const;
+  [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
   [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
   [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
   template <class Add>
