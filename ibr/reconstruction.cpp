@@ -94,7 +94,11 @@ Rgb catmullRomBesideEdge(const RadianceMap& map, const Between& at, Neighbours u
       high = glm::max(high, value);
     }
   }
-  for (int j = 1; j < 3; ++j) {
+  // Rows whose inner two samples are there become whole, the inner rows among them.
+  std::array<bool, 4> isWhole{};
+  for (int j = 0; j < 4; ++j) {
+    isWhole[j] = isUsable(usable, 1, j) && isUsable(usable, 2, j);
+    if (!isWhole[j]) continue;
     auto& row = block[j];
     const bool first = isUsable(usable, 0, j);
     const bool last = isUsable(usable, 3, j);
@@ -103,8 +107,8 @@ Rgb catmullRomBesideEdge(const RadianceMap& map, const Between& at, Neighbours u
   }
   Rgb sum(0.0f);
   for (int i = 0; i < 4; ++i) {
-    const bool first = isUsable(usable, i, 0);
-    const bool last = isUsable(usable, i, 3);
+    const bool first = isWhole[0] || isUsable(usable, i, 0);
+    const bool last = isWhole[3] || isUsable(usable, i, 3);
     const Rgb top = first ? block[0][i] : goOn(block[1][i], block[2][i], block[3][i], last);
     const Rgb bottom = last ? block[3][i] : goOn(block[2][i], block[1][i], block[0][i], first);
     sum += wx[i] * (wy[0] * top + wy[1] * block[1][i] + wy[2] * block[2][i] + wy[3] * bottom);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "src/core/errors.h"
 #include "tests/ibr/analytic_scene.h"
+#include "tests/ibr/maps.h"
 
 namespace promenade::ibr::tests {
 namespace {
@@ -41,12 +41,6 @@ float weightOfNext(float previousFootprint, float nextFootprint, double t) {
   const Blended b = blend(constant(size, 0.0f, 4.0f, previousFootprint),
                           constant(size, 1.0f, 4.0f, nextFootprint), wall(size, 4.0f), t);
   return b.frame.diffuse(0, 0).r;
-}
-
-template <class A, class B>
-bool sameBits(const A& a, const B& b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 TEST(Blend, WeighsByTemporalDistanceWhereBothAreAsGood) {

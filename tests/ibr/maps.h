@@ -1,0 +1,21 @@
+#pragma once
+// Comparing and counting maps.
+
+#include <algorithm>
+#include <cstring>
+
+#include "ibr/warp.h"
+
+namespace promenade::ibr::tests {
+
+template <class A, class B>
+bool sameBits(const A& a, const B& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+inline int count(const ValidityMap& map, Validity value) {
+  return static_cast<int>(std::count(map.pixels().begin(), map.pixels().end(), value));
+}
+
+}  // namespace promenade::ibr::tests
