@@ -139,6 +139,10 @@ TEST(Blend, TakesTheNearerSurfaceWhereTheDepthsDisagree) {
   EXPECT_EQ(radiance(kInfinity, 4.0f), 1.0f);
   EXPECT_EQ(radiance(4.0f, kInfinity), 0.0f);
   EXPECT_FLOAT_EQ(radiance(kInfinity, kInfinity), 0.5f);
+  // Except at the ends, where the blend is the keyframe.
+  const Blended first =
+      blend(constant(size, 0.0f, 4.3f, 1.0f), constant(size, 1.0f, 4.0f, 1.0f), wall(size, 4.0f), 0.0);
+  EXPECT_EQ(first.frame.diffuse(0, 0).r, 0.0f);
 }
 
 TEST(Blend, IsTheSameForBothDirectionsOfTime) {

@@ -171,6 +171,10 @@ TEST(GatherWarp, DoesNotTakeTheBackOfASheetForItsFront) {
   EXPECT_EQ(source.visibility.item(5, 5), 1U);
   const Warped warped = gatherWarp(source, scene.visibility(cameraAt({0, 0, 0}, size, 10.0)), {});
   EXPECT_EQ(count(warped.validity, Validity::kOccluded), 121);
+  // Not even where creases count for nothing.
+  const Warped uncreased =
+      gatherWarp(source, scene.visibility(cameraAt({0, 0, 0}, size, 10.0)), {2.5, 180.0});
+  EXPECT_EQ(count(uncreased.validity, Validity::kOccluded), 121);
 }
 
 TEST(GatherWarp, TellsParallelFacesOfOneItemApart) {
@@ -194,6 +198,26 @@ TEST(GatherWarp, TellsParallelFacesOfOneItemApart) {
   // hidden from 0.9 as well): 0.0225 m are 2.2 samples, in 5 rows.
   EXPECT_GE(occluded, 2 * 5);
   EXPECT_LE(occluded, 3 * 5);
+}
+
+TEST(GatherWarp, AllowsForTheRoundingOfCoordinatesFarFromTheOrigin) {
+  // 5 km away a float coordinate is rounded to half a millimetre: depths are off by as much, where a quarter
+  // of a sample is 0.025 mm (10 cm away, 1000 pixels of focal length).
+  const glm::dvec3 far(5000.1, 300.2, -7000.3);
+  const AnalyticScene scene = AnalyticScene().add(
+      1, rectangle(far + glm::dvec3(-1, -1, -0.1), {2, 0, 0}, {0, 2, 0}), uniform(Rgb(1)));
+  const Size size{60, 40};
+  const auto rounded = [&](Frame frame) {
+    int i = 0;
+    for (float& depth : frame.visibility.depth.pixels())
+      depth += static_cast<float>(i++ * 7 % 5 - 2) * 0.00012f;
+    return frame;
+  };
+  const Frame source = rounded(scene.render(cameraAt(far, size, 1000.0)));
+  const Frame target = rounded(scene.render(cameraAt(far + glm::dvec3(0.0003, 0.0002, 0), size, 1000.0)));
+  const Warped warped = gatherWarp(source, target.visibility, {});
+  EXPECT_EQ(count(warped.validity, Validity::kOccluded), 0);
+  EXPECT_GT(count(warped.validity, Validity::kValid), 0.8 * 60 * 40);
 }
 
 }  // namespace
