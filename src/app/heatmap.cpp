@@ -81,7 +81,7 @@ EncodedMap heatmap(const ProbabilityMap& probability, const LuminanceMap& backgr
     const float p = width > 1 ? static_cast<float>(x) / static_cast<float>(width - 1) : 0.0f;
     for (int y = height + 2; y < height + 2 + kBarRows; ++y) image(x, y) = heatColour(p);
   }
-  if (width < 160) return image;
+  if (width < 240) return image;
   const int top = height + kBarRows + 4;
   constexpr std::array<std::string_view, 5> kLabels = {"P 0", "0.25", "0.5", "0.75", "1"};
   for (std::size_t k = 0; k < kLabels.size(); ++k) {

@@ -145,14 +145,14 @@ TEST(CompareReport, EqualImagesHaveAnInfinitePsnrThatJsonWritesAsNull) {
 }
 
 TEST(Heatmap, KeepsTheReferenceGreyWhereNothingIsSeenAndAddsALegend) {
-  ProbabilityMap p(200, 3, 0.0f);
+  ProbabilityMap p(300, 3, 0.0f);
   p(5, 1) = 1.0f;
-  const EncodedMap map = heatmap(p, LuminanceMap(200, 3, 80.0f));
-  EXPECT_EQ(map.size(), (Size{200, 27}));
+  const EncodedMap map = heatmap(p, LuminanceMap(300, 3, 80.0f));
+  EXPECT_EQ(map.size(), (Size{300, 27}));
   EXPECT_NEAR(map(0, 0).r, 0.5f, 1e-6f);
   EXPECT_EQ(map(0, 0).r, map(0, 0).b);
   EXPECT_EQ(map(5, 1), heatColour(1.0f));
-  EXPECT_EQ(map(199, 7), heatColour(1.0f));
+  EXPECT_EQ(map(299, 7), heatColour(1.0f));
   EXPECT_EQ(heatmap(ProbabilityMap(1, 1, 0.5f), LuminanceMap(1, 1, 1.0f)).size(), (Size{1, 25}));
 }
 
