@@ -142,6 +142,8 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     remaining.frames.first = resumeAt(settings, finished);
     report.resumedFrom = remaining.frames.first;
     if (finished > 0) console.info("going on at frame " + std::to_string(remaining.frames.first));
+    // The clock of rate and time left starts here.
+    outputs.progress({"frames", 0, static_cast<std::uint64_t>(remaining.frames.count())});
     report.statistics = walkthrough::renderWalkthrough(path, *renderer, remaining, outputs);
   }
   output.finish();

@@ -39,7 +39,6 @@ TEST_F(Render, WritesFramesVideoAndReport) {
   expectDone(outcome);
   EXPECT_EQ(framesIn(at("out")), 25);  // 1 s at 25 frames/s
   EXPECT_TRUE(fs::exists(at("out/walkthrough.mp4")));
-  EXPECT_TRUE(fs::exists(at("out/report.html")));
   EXPECT_FALSE(fs::is_empty(at("out/maps")));
   const auto report = nlohmann::json::parse(contents(at("out/report.json")));
   EXPECT_EQ(report["job"]["size"], nlohmann::json::parse("[32, 18]"));
