@@ -179,7 +179,7 @@ std::filesystem::path SceneFiles::resolve(const std::string& uri, const std::str
     throw InputError(where, "expected a file name, found " + inQuotes(name));
   }
   std::error_code error;
-  const std::filesystem::path file = std::filesystem::weakly_canonical(folder_ / name, error);
+  std::filesystem::path file = std::filesystem::weakly_canonical(folder_ / name, error);
   if (error) {
     throw InputError(where, "the file " + inQuotes(name) + " cannot be resolved: " + error.message());
   }
