@@ -1,5 +1,5 @@
-// Many small damages to small scenes: each loads or is refused with one line. The seed is fixed, so that a failure
-// repeats; --gtest_random_seed=N gives others.
+// Many small damages to small scenes: each loads or is refused with one line. The seed is fixed, so that a
+// failure repeats; --gtest_random_seed=N gives others.
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -38,13 +37,21 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"src/app", {"src/core", "src/scene", "src/render", "src/io", "src/walkthrough", "aqm", "ibr", "paths"}},
 };
 
+std::string withoutLeadingBlanks(const std::string& text) {
+  return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
+}
+
 std::vector<Include> includesOf(const std::string& text, const std::string& file) {
-  static const std::regex pattern(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
   std::vector<Include> includes;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_search(line, match, pattern)) includes.push_back({file, match[1]});
+    line = withoutLeadingBlanks(line);
+    if (line.rfind("#", 0) != 0) continue;
+    line = withoutLeadingBlanks(line.substr(1));
+    if (line.rfind("include", 0) != 0) continue;
+    const std::size_t begin = line.find_first_of("<\"");
+    const std::size_t end = begin == std::string::npos ? begin : line.find_first_of(">\"", begin + 1);
+    if (end != std::string::npos) includes.push_back({file, line.substr(begin + 1, end - begin - 1)});
   }
   return includes;
 }
@@ -99,8 +106,8 @@ TEST(Includes, AreFoundInEveryFolder) {
 }
 
 TEST(Includes, AgainstAnArrowAreReported) {
-  const auto includes =
-      includesOf("#include \"src/core/image.h\"\n#include \"ibr/warp.h\"\n#include <vector>\n", "aqm/x.h");
+  const auto includes = includesOf(
+      "#include \"src/core/image.h\"\n # include \"ibr/warp.h\" // why\n#include <vector>\n", "aqm/x.h");
   EXPECT_THAT(wrongArrows("aqm", includes), testing::ElementsAre("aqm/x.h includes ibr/warp.h"));
 }
 
