@@ -9,9 +9,10 @@ namespace {
 // sampling them; a white wall comes out at a radiance of about 0.6.
 const Color kSky = Color(0.93, 0.97, 1.0);
 const Color kLampLight = Color(1.0, 0.80, 0.55);
-constexpr double kSkylightRadiance = 8.0;
-constexpr double kLaylightRadiance = 6.0;
-constexpr double kWindowRadiance = 6.0;
+constexpr double kSkylightRadiance = 7.0;
+constexpr double kLeftLaylightRadiance = 4.0;    // the windows are there too
+constexpr double kRightLaylightRadiance = 10.0;  // the pictures get nearly all their light from here
+constexpr double kWindowRadiance = 5.0;
 constexpr double kLampRadiance = 3.0;
 
 }  // namespace
@@ -76,7 +77,9 @@ Palette makePalette(GltfWriter& gltf) {
   p.leather = rough("leather", {0.13, 0.06, 0.035}, 0.6);
   p.whitePaint = rough("white-paint", {0.62, 0.60, 0.56}, 0.7);
   p.skylight = luminous("skylight", kSky, kSkylightRadiance);
-  p.laylight = luminous("laylight", mix(kSky, Color(1.0, 0.95, 0.85), 0.6), kLaylightRadiance);
+  const Color aisleLight = mix(kSky, Color(1.0, 0.95, 0.85), 0.6);
+  p.laylightLeft = luminous("laylight-left", aisleLight, kLeftLaylightRadiance);
+  p.laylightRight = luminous("laylight-right", aisleLight, kRightLaylightRadiance);
   p.window = luminous("window", kSky, kWindowRadiance);
   p.lamp = luminous("lamp", kLampLight, kLampRadiance);
   return p;

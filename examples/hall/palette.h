@@ -10,7 +10,7 @@ struct Palette {
       damask, apseBlue, wood;
   MaterialId gold, gilt, bronze, brass, steel, iron, mirror, glass;
   MaterialId porcelain, terracotta, leather, whitePaint;
-  MaterialId skylight, laylight, window, lamp;
+  MaterialId skylight, laylightLeft, laylightRight, window, lamp;
 };
 
 /// Adds the textures and materials to `gltf`.

@@ -160,12 +160,13 @@ void addAisleCeilings(GltfWriter& gltf, const Palette& palette) {
                     {{0.0, -kRecess}, {0.0, 0.02}, {0.02, 0.045}, {0.09, 0.045}, {0.12, 0.015}, {0.12, 0.0}}),
               turned(0.5 * kPi, {1, 0, 0}));
   const MeshId ceilingMesh = gltf.addMesh("aisle-ceiling", ceiling, palette.whitePaint);
-  const MeshId light = gltf.addMesh("laylight", ceilingPanel(kOpeningX, kOpeningZ), palette.laylight);
   const MeshId end = gltf.addMesh("aisle-ceiling-end", ceilingPanel(halfX, 0.25 * kBay), palette.whitePaint);
   const MeshId beam =
       gltf.addMesh("aisle-beam", box({-halfX, -0.20, -0.22}, {halfX, 0.0, 0.22}, 0.02), palette.whitePaint);
   for (const double side : {-1.0, 1.0}) {
     const std::string_view name = side < 0.0 ? "left" : "right";
+    const MeshId light = gltf.addMesh(named("laylight", name), ceilingPanel(kOpeningX, kOpeningZ),
+                                      side < 0.0 ? palette.laylightLeft : palette.laylightRight);
     for (std::size_t i = 0; i < kBayZ.size(); ++i) {
       gltf.addNode(named("aisle-ceiling", name, i + 1), ceilingMesh,
                    {.translation = {side * middle, kAisleCeiling, kBayZ[i]}});
