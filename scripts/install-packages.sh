@@ -2,9 +2,10 @@
 # Installs what Promenade is built from on Debian 12. Does nothing, quickly, where all of it is there.
 set -euo pipefail
 
+# (openimageio-tools: the CMake files of libopenimageio-dev insist that its programs are there.)
 packages=(
   g++ cmake ninja-build pkg-config
-  libembree-dev libopenexr-dev libopenimageio-dev libtinygltf-dev libstb-dev libglm-dev
+  libembree-dev libopenexr-dev libopenimageio-dev openimageio-tools libtinygltf-dev libstb-dev libglm-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libfftw3-dev libhwy-dev libtbb-dev libcli11-dev libspdlog-dev nlohmann-json3-dev
   libgtest-dev libgmock-dev libbenchmark-dev
