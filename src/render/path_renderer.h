@@ -18,6 +18,15 @@
 
 namespace promenade::render {
 
+/// What smooth transparent solids (KHR_materials_volume with a thickness) do to light.
+enum class SolidGlass {
+  kRefracts,  ///< always: unbiased, but light on a diffuse surface that came through such a solid is noise
+  /// Paths that have been scattered by something other than a mirror, and shadow rays, pass straight through
+  /// like through a thin pane, losing what half the material's thickness absorbs at each surface. What is
+  /// seen through the solid is still refracted; bright caustics become soft shadows.
+  kStraightAfterScattering,
+};
+
 struct PathSettings {
   int pathsPerSample = 16;  ///< >= 1; a power of two stratifies best
   int maxBounces = 8;       ///< scatterings along a path, >= 0; 0: emission only, 1: direct light
@@ -30,6 +39,7 @@ struct PathSettings {
   /// panes excepted. Above 0 light that reaches a diffuse surface by way of a mirror is blurred instead of
   /// arriving as bright dots (biased; Kaplanyan, Dachsbacher, Path Space Regularization, 2013).
   float leastIndirectRoughness = 0.0f;
+  SolidGlass solidGlass = SolidGlass::kRefracts;
   /// Called now and then from any thread during long work; may throw Interrupted, which ends the call
   /// cleanly.
   std::function<void()> checkpoint = {};

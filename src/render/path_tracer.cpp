@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "src/render/ray_offset.h"
@@ -69,19 +68,22 @@ Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, flo
   return {along * (width / cosine), glm::cross(normal, along) * width};
 }
 
-/// KHR_materials_volume: transmittance over a distance d is attenuationColor ^ (d / attenuationDistance).
-Rgb volumeTransmittance(const Material& material, float distance) {
-  if (!std::isfinite(material.attenuationDistanceMetres) || material.attenuationDistanceMetres <= 0.0f)
-    return Rgb(1.0f);
-  return glm::pow(glm::max(material.attenuationColor, Rgb(1e-6f)),
-                  Rgb(distance / material.attenuationDistanceMetres));
-}
-
 /// Panes stay clear: light goes straight through them in next event estimation too.
 void roughen(BsdfParameters& bsdf, float least) {
   if (bsdf.transmission > 0.0f && bsdf.thinWalled) return;
   bsdf.roughness = std::max(bsdf.roughness, least);
   bsdf.clearcoatRoughness = std::max(bsdf.clearcoatRoughness, least);
+}
+
+/// Turns a smooth refracting solid's surface into a pane; false if it is none.
+bool makePane(BsdfParameters& bsdf, float cosine) {
+  if (bsdf.thinWalled || bsdf.transmission <= 0.0f) return false;
+  BsdfParameters pane = bsdf;
+  pane.thinWalled = true;
+  pane.insideMaterial = false;
+  if (straightTransmittance(pane, cosine) == Rgb(0.0f)) return false;
+  bsdf = pane;
+  return true;
 }
 
 Ray shadowRay(const glm::vec3& origin, const LightSample& light) {
@@ -176,7 +178,12 @@ class PathTracer::ShadowBatch {
 };
 
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings)
-    : settings_(settings), surfaces_(scene), embree_(surfaces_, settings.threads), lights_(surfaces_) {
+    : settings_(settings),
+      surfaces_(scene, settings.solidGlass == SolidGlass::kRefracts
+                           ? Surfaces::ShadowsThrough::kPanes
+                           : Surfaces::ShadowsThrough::kPanesAndSolids),
+      embree_(surfaces_, settings.threads),
+      lights_(surfaces_) {
   if (!scene.environment) return;
   environment_.emplace(*scene.environment);
   sky_.emplace(embree_, *environment_);
@@ -292,6 +299,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     }
     path.width += path.spread * hit.distance;
     Vertex vertex = vertexAt(hit, path.direction, {path.width, path.blurred});
+    const bool solidAsPane = path.blurred && settings_.solidGlass == SolidGlass::kStraightAfterScattering &&
+                             makePane(vertex.look.bsdf, vertex.wo.z);
     if (path.blurred) roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
     if (vertex.look.alpha < 1.0f && sampler.next1D() >= vertex.look.alpha) {
       path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
@@ -309,10 +318,26 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       }
       add(path.throughput * vertex.look.emission * weight, path.bounces);
     }
-    if (vertex.look.unlit || path.bounces >= settings_.maxBounces) break;
+    if (vertex.look.unlit || !(vertex.wo.z > 0.0f)) break;
 
-    if (!(vertex.wo.z > 0.0f)) break;
     const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
+    const auto passStraight = [&](const Rgb& through) {
+      path.throughput *= through;
+      if (solidAsPane) {
+        const Material& material = surfaces_.scene().materials[static_cast<std::size_t>(vertex.material)];
+        path.throughput *= volumeTransmittance(material, 0.5f * material.thickness);
+        path.medium = -1;
+      }
+      path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+      ++passages;
+    };
+    if (path.bounces >= settings_.maxBounces) {
+      // No more scattering, but a pane does not scatter: next event estimation saw through it too.
+      const Rgb through = vertex.look.bsdf.thinWalled ? scattering.straightTransmittance() : Rgb(0.0f);
+      if (isBlack(through)) break;
+      passStraight(through);
+      continue;
+    }
     const Shares shares = laterShares(vertex);
     sampleLights(vertex, scattering, shares, sampler,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
@@ -326,9 +351,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     const Rgb scattered = s.diffuse + s.viewDependent;
     if (!(s.pdf > 0.0f) || isBlack(scattered)) break;
     if (vertex.isStraightThrough(s)) {
-      path.throughput *= scattered;
-      path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-      ++passages;
+      passStraight(scattered);
       continue;
     }
     const glm::vec3 direction = glm::normalize(vertex.basis.toWorld(s.wi));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "src/render/material_textures.h"
@@ -39,6 +40,13 @@ glm::vec2 texCoordOf(const Mesh& mesh, const Texture& texture, const glm::uvec3&
 }
 
 }  // namespace
+
+Rgb volumeTransmittance(const Material& material, float distance) {
+  if (!std::isfinite(material.attenuationDistanceMetres) || material.attenuationDistanceMetres <= 0.0f)
+    return Rgb(1.0f);
+  return glm::pow(glm::max(material.attenuationColor, Rgb(1e-6f)),
+                  Rgb(distance / material.attenuationDistanceMetres));
+}
 
 SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& direction,
                              const Footprint& footprint) const {
@@ -177,7 +185,9 @@ Rgb Surfaces::shadowTransmittance(std::uint32_t meshIndex, std::uint32_t triangl
     alpha = std::clamp(alphaAt(mesh, material, triangle, barycentric), 0.0f, 1.0f);
     if (material.alphaMode == AlphaMode::kMask) alpha = alpha >= material.alphaCutoff ? 1.0f : 0.0f;
   }
-  if (alpha <= 0.0f || material.unlit || material.transmission <= 0.0f || material.thickness > 0.0f) {
+  const bool solid = material.thickness > 0.0f;
+  if (alpha <= 0.0f || material.unlit || material.transmission <= 0.0f ||
+      (solid && shadowsThrough_ == ShadowsThrough::kPanes)) {
     return Rgb(1.0f - alpha);
   }
   const glm::uvec3 t = mesh.triangles[triangle];
@@ -208,7 +218,9 @@ Rgb Surfaces::shadowTransmittance(std::uint32_t meshIndex, std::uint32_t triangl
   bsdf.clearcoatRoughness = material.clearcoatRoughness;
   const float scale = std::sqrt(glm::dot(normal, normal) * glm::dot(direction, direction));
   const float cosine = scale > 0.0f ? std::abs(glm::dot(normal, direction)) / scale : 1.0f;
-  return Rgb(1.0f - alpha) + alpha * straightTransmittance(bsdf, cosine);
+  Rgb through = straightTransmittance(bsdf, cosine);
+  if (solid) through *= volumeTransmittance(material, 0.5f * material.thickness);
+  return Rgb(1.0f - alpha) + alpha * through;
 }
 
 }  // namespace promenade::render

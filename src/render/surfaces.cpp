@@ -25,7 +25,8 @@ T interpolate(const std::vector<T>& values, const glm::uvec3& t, const glm::vec3
 
 }  // namespace
 
-Surfaces::Surfaces(const Scene& scene) : scene_(scene), textures_(std::make_unique<MaterialTextures>(scene)) {
+Surfaces::Surfaces(const Scene& scene, ShadowsThrough shadowsThrough)
+    : scene_(scene), shadowsThrough_(shadowsThrough), textures_(std::make_unique<MaterialTextures>(scene)) {
   std::vector<std::size_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) ++uses[static_cast<std::size_t>(instance.mesh)];
 
@@ -76,7 +77,8 @@ Surfaces::Surfaces(const Scene& scene) : scene_(scene), textures_(std::make_uniq
     for (const glm::vec4& color : mesh.colors) alpha = std::min(alpha, material.baseColor.a * color.a);
     const bool masked = material.alphaMode == AlphaMode::kMask && alpha < material.alphaCutoff;
     const bool blended = material.alphaMode == AlphaMode::kBlend && alpha < 1.0f;
-    const bool pane = material.transmission > 0.0f && material.thickness <= 0.0f;
+    const bool pane = material.transmission > 0.0f &&
+                      (material.thickness <= 0.0f || shadowsThrough_ == ShadowsThrough::kPanesAndSolids);
     filter.cutOut = masked || blended;
     filter.attenuates = masked || blended || pane;
   }

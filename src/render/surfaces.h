@@ -40,6 +40,9 @@ struct Footprint {
   glm::vec3 major{0.0f}, minor{0.0f};
 };
 
+/// KHR_materials_volume: the part of light left after `distance` metres inside the material.
+[[nodiscard]] Rgb volumeTransmittance(const Material& material, float distance);
+
 /// The material at a point.
 struct SurfaceLook {
   BsdfParameters bsdf;
@@ -74,8 +77,11 @@ class Surfaces {
     const FilterTarget* filter = nullptr;
   };
 
+  /// Which transparent surfaces a shadow ray passes straight through.
+  enum class ShadowsThrough { kPanes, kPanesAndSolids };
+
   /// `scene` must outlive this.
-  explicit Surfaces(const Scene& scene);
+  explicit Surfaces(const Scene& scene, ShadowsThrough shadowsThrough = ShadowsThrough::kPanes);
   ~Surfaces();
   Surfaces(const Surfaces&) = delete;
   Surfaces& operator=(const Surfaces&) = delete;
@@ -119,6 +125,7 @@ class Surfaces {
                               glm::vec2 barycentric) const;
 
   const Scene& scene_;
+  ShadowsThrough shadowsThrough_;
   std::unique_ptr<MaterialTextures> textures_;
   std::vector<Placement> placements_;
   std::vector<FilterTarget> filters_;                    // a mesh

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "src/render/bsdf.h"
 #include "src/render/path_renderer.h"
 #include "tests/render/scenes.h"
 
@@ -373,6 +374,52 @@ TEST(Passage, AbsorptionInASolidFollowsItsAttenuation) {
   EXPECT_NEAR(mean.x, 0.25, 5e-3);
   EXPECT_NEAR(mean.y, 0.64, 5e-3);
   EXPECT_NEAR(mean.z, 1.0, 5e-3);
+}
+
+TEST(Passage, OneScatteringUnderAPaneGetsWhatThePaneLetsThroughFromEveryDirection) {
+  Material pane;
+  pane.metallic = 0.0f;
+  pane.roughness = 0.0f;
+  pane.transmission = 1.0f;
+  Scene scene = floorScene(0.5f);
+  scene.materials.push_back(pane);
+  tests::place(scene, tests::quad({-45.0f, 0.5f, 45.0f}, {90.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -90.0f}, 1));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  // L = albedo * mean of the transmittance over the cosine-weighted hemisphere: the integral of t(c) 2c dc
+  // over [0, 1].
+  BsdfParameters parameters;
+  parameters.roughness = 0.0f;
+  parameters.transmission = 1.0f;
+  double mean = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double c = (i + 0.5) / 1000.0;
+    mean += straightTransmittance(parameters, static_cast<float>(c)).y * 2.0 * c / 1000.0;
+  }
+  const Camera camera = lookingAt({0.1, 0.3, 0.1}, {0, 0, 0}, {8, 8}, 0.001);
+  EXPECT_NEAR(meanOf(scene, camera, paths(256, 1)), 0.5 * mean, 0.01 * mean);
+}
+
+TEST(Passage, StraightGlassLightsTheFloorBelowASlabByChoiceAndByChance) {
+  // A slab of two refracting surfaces between floor and a uniform sky. Refracted or not, a slab that loses
+  // little light leaves the floor nearly as bright as the open sky would: at most a L, less what the surfaces
+  // reflect, about 0.1 of it diffusely (0.09 for one surface of index 1.5), part of which comes back.
+  Scene scene = floorScene(0.5f);
+  Material glass;
+  glass.metallic = 0.0f;
+  glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = 0.5f;
+  scene.materials.push_back(glass);
+  tests::place(scene, tests::quad({-45.0f, 1.5f, 45.0f}, {90.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -90.0f}, 1));
+  tests::place(scene, tests::quad({-45.0f, 1.0f, 45.0f}, {0.0f, 0.0f, -90.0f}, {90.0f, 0.0f, 0.0f}, 1));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  PathSettings settings = paths(1024, 12);
+  const double refracted = meanOf(scene, underThePane(), settings);
+  settings.solidGlass = SolidGlass::kStraightAfterScattering;
+  const double straight = meanOf(scene, underThePane(), settings);
+  EXPECT_GT(refracted, 0.35);
+  EXPECT_LT(refracted, 0.5);
+  EXPECT_NEAR(straight, refracted, 0.06);
 }
 
 TEST(Unlit, ShowsItsBaseColourWhateverTheLight) {
