@@ -34,6 +34,14 @@ class Lights {
   [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& position, const glm::vec3& normal,
                                                   float choose, glm::vec2 u) const;
 
+  /// Every point, spot and directional light that shines at `position`, each with density 1.
+  template <class Visit>
+  void forEachDelta(const glm::vec3& position, const Visit& visit) const {
+    for (const PunctualLight& light : surfaces_.scene().lights) {
+      if (const auto sample = samplePunctual(light, 1.0f, position)) visit(*sample);
+    }
+  }
+
   /// Where a ray from the surface at `position` found an emissive triangle.
   struct Found {
     std::uint32_t instance = 0;

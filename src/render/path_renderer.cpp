@@ -13,6 +13,7 @@
 #include <string>
 
 #include "src/core/errors.h"
+#include "src/render/irradiance_solution.h"
 #include "src/render/item_traits.h"
 #include "src/render/path_tracer.h"
 
@@ -71,6 +72,10 @@ class TileSamples {
   int count_ = 0;
 };
 
+std::uint32_t seedOf(const PathSettings& settings) {
+  return static_cast<std::uint32_t>(settings.seed ^ (settings.seed >> 32));
+}
+
 class PathRenderer final : public Renderer {
  public:
   PathRenderer(const Scene& scene, const PathSettings& settings)
@@ -78,6 +83,13 @@ class PathRenderer final : public Renderer {
         tracer_(scene, settings),
         traits_(itemTraits(scene)),
         arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
+
+  void solveFor(std::span<const Camera> cameras, const ProgressCallback& progress) {
+    SolutionSettings solution;
+    solution.seed = seedOf(settings_);
+    solution.checkpoint = settings_.checkpoint;
+    arena_.execute([&] { tracer_.use(solveIrradiance(tracer_, cameras, solution, progress).records); });
+  }
 
   [[nodiscard]] Visibility visibility(const Camera& camera) const override {
     Visibility result = emptyVisibility(camera);
@@ -163,7 +175,7 @@ class PathRenderer final : public Renderer {
         Sampler::Stream stream;
         stream.pixel = {p.x, p.y};
         stream.frame = static_cast<std::uint32_t>(frameIndex);
-        stream.seed = static_cast<std::uint32_t>(settings_.seed ^ (settings_.seed >> 32));
+        stream.seed = seedOf(settings_);
         stream.pathsPerPixel = static_cast<std::uint32_t>(settings_.pathsPerSample);
         radiance = tracer_.shade(hit, ray, pixelWidth, stream, rays);
       } else {
@@ -206,9 +218,7 @@ void requireSetting(bool good, const std::string& what) {
   if (!good) throw InputError("path renderer settings", what);
 }
 
-}  // namespace
-
-std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings) {
+void validate(const PathSettings& settings) {
   requireSetting(settings.pathsPerSample >= 1,
                  "pathsPerSample: expected at least 1, found " + std::to_string(settings.pathsPerSample));
   requireSetting(settings.maxBounces >= 0,
@@ -218,7 +228,22 @@ std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSetting
   requireSetting(settings.indirectLimit > 0.0f, "indirectLimit: expected more than 0");
   requireSetting(settings.leastIndirectRoughness >= 0.0f && settings.leastIndirectRoughness <= 1.0f,
                  "leastIndirectRoughness: expected a number from 0 to 1");
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings) {
+  validate(settings);
   return std::make_unique<PathRenderer>(scene, settings);
+}
+
+std::unique_ptr<Renderer> makeWalkthroughRenderer(const Scene& scene, const PathSettings& settings,
+                                                  std::span<const Camera> cameras,
+                                                  const ProgressCallback& progress) {
+  validate(settings);
+  auto renderer = std::make_unique<PathRenderer>(scene, settings);
+  renderer->solveFor(cameras, progress);
+  return renderer;
 }
 
 }  // namespace promenade::render

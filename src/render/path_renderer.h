@@ -12,7 +12,10 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 
+#include "src/core/camera.h"
+#include "src/core/progress.h"
 #include "src/core/renderer.h"
 #include "src/scene/scene.h"
 
@@ -47,5 +50,17 @@ struct PathSettings {
 
 /// `scene` must outlive the renderer and must not change. Throws CannotContinue if memory runs out.
 [[nodiscard]] std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings);
+
+/// A renderer for one walk: light on matt surfaces comes from a view-independent solution that is computed
+/// here, once, for all that `cameras` (at display resolution) look at, and is interpolated; what point, spot
+/// and directional lights send directly, and reflections and transmission, are traced a sample,
+/// `pathsPerSample` paths where they matter. The same from frame to frame, and free of noise on matt
+/// surfaces. Where the solution does not reach, paths are traced on. Biased: the interpolation blurs
+/// penumbrae and contact shadows finer than a few pixels. docs/method.md. `progress` may be empty. Otherwise
+/// as makePathRenderer.
+[[nodiscard]] std::unique_ptr<Renderer> makeWalkthroughRenderer(const Scene& scene,
+                                                                const PathSettings& settings,
+                                                                std::span<const Camera> cameras,
+                                                                const ProgressCallback& progress);
 
 }  // namespace promenade::render

@@ -6,8 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "src/render/ray_offset.h"
-#include "src/render/scattering_surface.h"
+#include "src/render/path_tracer_internal.h"
 
 namespace promenade::render {
 namespace {
@@ -19,35 +18,6 @@ constexpr int kMostPassages = 64;         ///< straight through panes and blende
 /// Width of the pencil of rays after scattering with density pdf, per unit distance: a fraction of the solid
 /// angle 1/pdf that one sample stands for. Only texture filtering depends on it.
 constexpr float kSpreadOfScattering = 0.15f;
-
-float largest(const Rgb& c) {
-  return std::max(c.x, std::max(c.y, c.z));
-}
-bool isBlack(const Rgb& c) {
-  return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
-}
-
-/// Power heuristic with exponent 2 (Veach 1997, eq. 9.13) for one sample of each strategy.
-float powerHeuristic(float pdf, float otherPdf) {
-  const float ratio = otherPdf / pdf;
-  return 1.0f / (1.0f + ratio * ratio);
-}
-
-/// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-struct Basis {
-  glm::vec3 x, y, z;
-  explicit Basis(const glm::vec3& normal) : z(normal) {
-    const float sign = std::copysign(1.0f, z.z);
-    const float a = -1.0f / (sign + z.z);
-    const float b = z.x * z.y * a;
-    x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
-    y = {b, sign + z.y * z.y * a, -z.y};
-  }
-  [[nodiscard]] glm::vec3 toLocal(const glm::vec3& w) const {
-    return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, z)};
-  }
-  [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
-};
 
 /// Along the pencil's cross-section, or as if it met the surface at a right angle: enough for light that is
 /// blurred anyway.
@@ -86,96 +56,7 @@ bool makePane(BsdfParameters& bsdf, float cosine) {
   return true;
 }
 
-Ray shadowRay(const glm::vec3& origin, const LightSample& light) {
-  Ray ray;
-  ray.origin = origin;
-  ray.direction = light.atInfinity ? light.direction : light.target - origin;
-  if (!light.atInfinity) ray.farthest = 1.0f - 1e-5f;
-  return ray;
-}
-
 }  // namespace
-
-struct PathTracer::Vertex {
-  glm::vec3 position;
-  glm::vec3 facing;  ///< geometric normal on the side the path came from
-  Basis basis;       ///< z: the shading normal, on that side
-  glm::vec3 wo;      ///< where the path came from, local
-  SurfaceLook look;
-  std::uint32_t instance;
-  int material;
-  const SkyGuide::View* sky;  ///< null without environment
-
-  [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
-    return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
-  }
-  /// Shading and geometric normal must agree on whether light is reflected or transmitted, or light leaks.
-  [[nodiscard]] bool agree(const glm::vec3& local, const glm::vec3& world) const {
-    return local.z * glm::dot(world, facing) > 0.0f;
-  }
-  /// The only lobe that leaves light its direction.
-  [[nodiscard]] bool isStraightThrough(const BsdfSample& s) const {
-    return s.delta && look.bsdf.thinWalled && s.wi.z < 0.0f;
-  }
-};
-
-/// Expected samples of the environment and of the other lights at a vertex.
-struct PathTracer::Shares {
-  float environment = 0.0f;
-  float local = 0.0f;
-};
-
-/// A path between two vertices.
-struct PathTracer::Carried {
-  glm::vec3 origin;
-  glm::vec3 direction;  ///< unit
-  Rgb throughput{1.0f};
-  float importance = 1.0f;  ///< of the whole path before, for Russian roulette
-  // The last vertex that changed the direction, for multiple importance sampling: passing straight through a
-  // pane changes neither the density of the direction nor the light that next event estimation at that vertex
-  // could have chosen.
-  glm::vec3 scatterPosition{0.0f}, scatterNormal{0.0f};
-  float scatterPdf = 0.0f;
-  bool scatterDelta = true;
-  Shares shares;
-  const SkyGuide::View* sky = nullptr;
-  float width = 0.0f;  ///< of the pencil of rays at the origin
-  float spread = 0.0f;
-  int medium = -1;  ///< material of the solid that the path is in
-  int bounces = 0;
-  bool blurred = false;  ///< some scattering was not a mirror's
-};
-
-/// Shadow rays of the paths from one primary hit: they share their origin, so they travel in packets.
-class PathTracer::ShadowBatch {
- public:
-  ShadowBatch(const EmbreeScene& embree, SampleRadiance& sum) : embree_(embree), sum_(sum) {}
-
-  void add(const Ray& ray, const Rgb& diffuse, const Rgb& viewDependent) {
-    const auto i = static_cast<std::size_t>(count_++);
-    rays_[i] = ray;
-    diffuse_[i] = diffuse;
-    viewDependent_[i] = viewDependent;
-    if (count_ == EmbreeScene::kPacket) flush();
-  }
-  void flush() {
-    if (count_ == 0) return;
-    const auto transmittance = embree_.transmittance(rays_, count_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-      sum_.diffuse += diffuse_[i] * transmittance[i];
-      sum_.viewDependent += viewDependent_[i] * transmittance[i];
-    }
-    count_ = 0;
-  }
-
- private:
-  const EmbreeScene& embree_;
-  SampleRadiance& sum_;
-  int count_ = 0;
-  std::array<Ray, EmbreeScene::kPacket> rays_;
-  std::array<Rgb, EmbreeScene::kPacket> diffuse_;
-  std::array<Rgb, EmbreeScene::kPacket> viewDependent_;
-};
 
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings)
     : settings_(settings),
@@ -223,49 +104,6 @@ PathTracer::Shares PathTracer::laterShares(const Vertex& vertex) const {
     shares.local = 1.0f - shares.environment;
   }
   return shares;
-}
-
-/// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
-/// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own.
-template <class Add>
-void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
-                              Sampler& sampler, const Add& add) const {
-  bool askEnvironment = shares.environment > 0.0f;
-  bool askLocal = shares.local > 0.0f;
-  if (askEnvironment && shares.environment < 1.0f) {
-    const float choose = sampler.next1D();
-    askEnvironment = choose < shares.environment;
-    if (shares.local < 1.0f) askLocal = askLocal && !askEnvironment;
-  }
-  const auto weigh = [&](const LightSample& light, float share) {
-    const glm::vec3 wi = vertex.basis.toLocal(light.direction);
-    if (!vertex.agree(wi, light.direction)) return;
-    const BsdfValue f = scattering.evaluate(wi);
-    if (isBlack(f.diffuse + f.viewDependent)) return;
-    const float pdf = light.pdf * share;
-    const float weight = (light.delta ? 1.0f : powerHeuristic(pdf, f.pdf)) / pdf;
-    const Rgb arriving = light.radiance * weight;
-    add(shadowRay(vertex.originToward(light.direction), light), f.diffuse * arriving,
-        f.viewDependent * arriving);
-  };
-  if (askEnvironment) {
-    const float choose = sampler.next1D();
-    const EnvironmentSample s = sky_->sample(*vertex.sky, choose, sampler.next2D());
-    if (s.pdf > 0.0f && !isBlack(s.radiance)) {
-      LightSample light;
-      light.direction = s.direction;
-      light.atInfinity = true;
-      light.radiance = s.radiance;
-      light.pdf = s.pdf;
-      weigh(light, shares.environment);
-    }
-  }
-  if (askLocal) {
-    const float choose = sampler.next1D();
-    const std::optional<LightSample> light =
-        lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
-    if (light && light->pdf > 0.0f) weigh(*light, shares.local);
-  }
 }
 
 Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
@@ -320,7 +158,7 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     }
     if (vertex.look.unlit || !(vertex.wo.z > 0.0f)) break;
 
-    const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
+    ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
     const auto passStraight = [&](const Rgb& through) {
       path.throughput *= through;
       if (solidAsPane) {
@@ -339,16 +177,28 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       continue;
     }
     const Shares shares = laterShares(vertex);
-    sampleLights(vertex, scattering, shares, sampler,
+    const std::optional<SurfaceLight> known = lightFromSolution(vertex);
+    if (known) {
+      const BsdfAlbedo albedo = scattering.albedo();
+      const Rgb under = radianceOnTurned(*known, vertex.facing, vertex.look.normal);
+      const SampleRadiance direct = fromDeltaLights(vertex, scattering, rays);
+      const bool isBroad = isOpaqueBeyond(vertex.look.bsdf, kBroadRoughness);
+      const Rgb reflected = isBroad ? albedo.diffuse + albedo.viewDependent : albedo.diffuse;
+      add(path.throughput * (reflected * under + direct.diffuse + direct.viewDependent), path.bounces + 1);
+      if (isBroad) break;
+      dropDiffuse(vertex.look.bsdf);
+      scattering = ScatteringSurface(vertex.look.bsdf, vertex.wo);
+    }
+    sampleLights(vertex, scattering, shares, sampler, known ? DeltaLights::kExcluded : DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
-                   add(path.throughput * (diffuse + viewDependent) * embree_.transmittance(shadow),
-                       path.bounces + 1);
+                   const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
+                   add(path.throughput * arriving * embree_.transmittance(shadow), path.bounces + 1);
                  });
 
     const float choose = sampler.next1D();
     const BsdfSample s = scattering.sample(choose, sampler.next2D());
-    const Rgb scattered = s.diffuse + s.viewDependent;
+    const Rgb scattered = known ? s.viewDependent : s.diffuse + s.viewDependent;
     if (!(s.pdf > 0.0f) || isBlack(scattered)) break;
     if (vertex.isStraightThrough(s)) {
       passStraight(scattered);
@@ -357,27 +207,32 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     const glm::vec3 direction = glm::normalize(vertex.basis.toWorld(s.wi));
     if (!vertex.agree(s.wi, direction)) break;
     path.throughput *= scattered;
-    ++path.bounces;
-    if (path.bounces >= kFirstRoulette) {
+    if (path.bounces + 1 >= kFirstRoulette) {
       const float survival = std::clamp(largest(path.throughput) * path.importance, kLeastSurvival, 1.0f);
       if (sampler.next1D() >= survival) break;
       path.throughput /= survival;
     }
-    if (s.wi.z < 0.0f && !vertex.look.bsdf.thinWalled) {
-      path.medium = vertex.look.bsdf.insideMaterial ? -1 : vertex.material;
-    }
-    path.origin = vertex.originToward(direction);
-    path.direction = direction;
-    path.scatterPosition = vertex.position;
-    path.scatterNormal = vertex.facing;
-    path.scatterPdf = s.pdf;
-    path.scatterDelta = s.delta;
-    path.shares = shares;
-    path.sky = vertex.sky;
-    path.blurred = path.blurred || !s.delta;
-    if (!s.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(s.pdf));
+    scatter(vertex, s, direction, shares, path);
   }
   return sum;
+}
+
+void PathTracer::scatter(const Vertex& vertex, const BsdfSample& sample, const glm::vec3& direction,
+                         const Shares& shares, Carried& path) const {
+  if (sample.wi.z < 0.0f && !vertex.look.bsdf.thinWalled) {
+    path.medium = vertex.look.bsdf.insideMaterial ? -1 : vertex.material;
+  }
+  ++path.bounces;
+  path.origin = vertex.originToward(direction);
+  path.direction = direction;
+  path.scatterPosition = vertex.position;
+  path.scatterNormal = vertex.facing;
+  path.scatterPdf = sample.pdf;
+  path.scatterDelta = sample.delta;
+  path.shares = shares;
+  path.sky = vertex.sky;
+  path.blurred = path.blurred || !sample.delta;
+  if (!sample.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(sample.pdf));
 }
 
 SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixelWidth,
@@ -391,11 +246,21 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
   SampleRadiance sum;
   if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
 
+  if (look.alpha >= 1.0f && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f) {
+    if (const std::optional<SurfaceLight> known = lightFromSolution(vertex)) {
+      return shadeFromSolution(vertex, *known, direction, {width, pixelWidth / length}, stream, rays);
+    }
+  }
+
   const int count = settings_.pathsPerSample;
   const bool scatters = !look.unlit && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f;
   const ScatteringSurface scattering(look.bsdf, scatters ? vertex.wo : glm::vec3(0.0f, 0.0f, 1.0f));
   const Shares shares = firstShares(vertex);
-  ShadowBatch shadows(embree_, sum);
+  auto shadows =
+      shadowBatch<SampleRadiance>(embree_, [&sum](const SampleRadiance& light, const Rgb& transmittance) {
+        sum.diffuse += light.diffuse * transmittance;
+        sum.viewDependent += light.viewDependent * transmittance;
+      });
   for (int i = 0; i < count; ++i) {
     Sampler sampler(stream, static_cast<std::uint32_t>(i));
     Carried next;
@@ -410,10 +275,10 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
     sum.diffuse += look.emission;
     if (!scatters) continue;
 
-    sampleLights(vertex, scattering, shares, sampler,
+    sampleLights(vertex, scattering, shares, sampler, DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
-                   shadows.add(shadow, diffuse, viewDependent);
+                   shadows.add(shadow, {diffuse, viewDependent});
                  });
 
     const float choose = sampler.next1D();
@@ -426,19 +291,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
     } else {
       const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
       if (!vertex.agree(s.wi, world)) continue;
-      next.origin = vertex.originToward(world);
-      next.direction = world;
-      next.scatterPosition = vertex.position;
-      next.scatterNormal = vertex.facing;
-      next.scatterPdf = s.pdf;
-      next.scatterDelta = s.delta;
-      next.shares = shares;
-      next.sky = vertex.sky;
-      next.bounces = 1;
-      if (s.wi.z < 0.0f && !look.bsdf.thinWalled)
-        next.medium = look.bsdf.insideMaterial ? -1 : vertex.material;
-      next.blurred = !s.delta;
-      if (!s.delta) next.spread = std::max(next.spread, kSpreadOfScattering / std::sqrt(s.pdf));
+      scatter(vertex, s, world, shares, next);
     }
     next.importance = largest(scattered);
     const Rgb arriving = follow(next, sampler, rays);

@@ -6,6 +6,7 @@
 
 #include "src/render/embree_scene.h"
 #include "src/render/environment.h"
+#include "src/render/irradiance_records.h"
 #include "src/render/lights.h"
 #include "src/render/path_renderer.h"
 #include "src/render/sampler.h"
@@ -41,6 +42,11 @@ class PathTracer {
   [[nodiscard]] SampleRadiance shade(const Hit& hit, const Ray& primary, float pixelWidth,
                                      const Sampler::Stream& stream, PathRays& rays) const;
 
+  /// Light on a surface element, the mean of stream.pathsPerPixel paths: everything but what point, spot and
+  /// directional lights send there directly, which every sample asks for itself.
+  [[nodiscard]] SurfaceLight gather(const glm::vec3& position, const glm::vec3& normal,
+                                    const Sampler::Stream& stream, PathRays& rays) const;
+
  private:
   struct Vertex;
   /// The rays that one path stands for, where they meet a surface.
@@ -50,14 +56,27 @@ class PathTracer {
   };
   struct Carried;
   struct Shares;
-  class ShadowBatch;
+  enum class DeltaLights { kIncluded, kExcluded };
+  struct Cone {
+    float width = 0.0f;   ///< of the pencil of rays where it meets the surface
+    float spread = 0.0f;  ///< its growth per unit distance
+  };
 
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
   [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
   [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
   template <class Add>
   void sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
-                    Sampler& sampler, const Add& add) const;
+                    Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
+  /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
+  [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
+                                               PathRays& rays) const;
+  [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex) const;
+  [[nodiscard]] SampleRadiance shadeFromSolution(Vertex vertex, const SurfaceLight& known,
+                                                 const glm::vec3& direction, Cone cone,
+                                                 const Sampler::Stream& stream, PathRays& rays) const;
+  void scatter(const Vertex& vertex, const BsdfSample& sample, const glm::vec3& direction,
+               const Shares& shares, Carried& path) const;
   [[nodiscard]] Rgb follow(Carried carried, Sampler& sampler, PathRays& rays) const;
 
   PathSettings settings_;

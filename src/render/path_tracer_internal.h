@@ -1,0 +1,195 @@
+#pragma once
+// What the two halves of PathTracer share: path_tracer.cpp (paths) and path_solution.cpp (the light
+// solution).
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "src/render/path_tracer.h"
+#include "src/render/ray_offset.h"
+#include "src/render/scattering_surface.h"
+
+namespace promenade::render {
+
+inline float largest(const Rgb& c) {
+  return std::max(c.x, std::max(c.y, c.z));
+}
+inline bool isBlack(const Rgb& c) {
+  return c.x <= 0.0f && c.y <= 0.0f && c.z <= 0.0f;
+}
+
+/// Power heuristic with exponent 2 (Veach 1997, eq. 9.13) for one sample of each strategy.
+inline float powerHeuristic(float pdf, float otherPdf) {
+  const float ratio = otherPdf / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+struct Basis {
+  glm::vec3 x, y, z;
+  explicit Basis(const glm::vec3& normal) : z(normal) {
+    const float sign = std::copysign(1.0f, z.z);
+    const float a = -1.0f / (sign + z.z);
+    const float b = z.x * z.y * a;
+    x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
+    y = {b, sign + z.y * z.y * a, -z.y};
+  }
+  [[nodiscard]] glm::vec3 toLocal(const glm::vec3& w) const {
+    return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, z)};
+  }
+  [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
+};
+
+/// From this roughness on a reflection met on the way is as good as matt: the solution says what it shows.
+constexpr float kBroadRoughness = 0.5f;
+
+/// Whether all that the material sends back is as broad as a lobe of that roughness.
+inline bool isOpaqueBeyond(const BsdfParameters& bsdf, float roughness) {
+  return bsdf.roughness >= roughness && bsdf.transmission <= 0.0f && bsdf.clearcoat <= 0.0f;
+}
+
+/// Takes the diffuse part away where that leaves the rest as it was, so that no samples are spent on it.
+inline void dropDiffuse(BsdfParameters& bsdf) {
+  if (bsdf.metallic <= 0.0f && bsdf.transmission <= 0.0f) bsdf.baseColor = Rgb(0.0f);
+}
+
+inline Ray shadowRay(const glm::vec3& origin, const LightSample& light) {
+  Ray ray;
+  ray.origin = origin;
+  ray.direction = light.atInfinity ? light.direction : light.target - origin;
+  if (!light.atInfinity) ray.farthest = 1.0f - 1e-5f;
+  return ray;
+}
+
+struct PathTracer::Vertex {
+  glm::vec3 position;
+  glm::vec3 facing;  ///< geometric normal on the side the path came from
+  Basis basis;       ///< z: the shading normal, on that side
+  glm::vec3 wo;      ///< where the path came from, local
+  SurfaceLook look;
+  std::uint32_t instance;
+  int material;
+  const SkyGuide::View* sky;  ///< null without environment
+
+  [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
+    return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
+  }
+  /// Shading and geometric normal must agree on whether light is reflected or transmitted, or light leaks.
+  [[nodiscard]] bool agree(const glm::vec3& local, const glm::vec3& world) const {
+    return local.z * glm::dot(world, facing) > 0.0f;
+  }
+  /// The only lobe that leaves light its direction.
+  [[nodiscard]] bool isStraightThrough(const BsdfSample& s) const {
+    return s.delta && look.bsdf.thinWalled && s.wi.z < 0.0f;
+  }
+};
+
+/// Expected samples of the environment and of the other lights at a vertex.
+struct PathTracer::Shares {
+  float environment = 0.0f;
+  float local = 0.0f;
+};
+
+/// A path between two vertices.
+struct PathTracer::Carried {
+  glm::vec3 origin;
+  glm::vec3 direction;  ///< unit
+  Rgb throughput{1.0f};
+  float importance = 1.0f;  ///< of the whole path before, for Russian roulette
+  // The last vertex that changed the direction, for multiple importance sampling: passing straight through a
+  // pane changes neither the density of the direction nor the light that next event estimation at that vertex
+  // could have chosen.
+  glm::vec3 scatterPosition{0.0f}, scatterNormal{0.0f};
+  float scatterPdf = 0.0f;
+  bool scatterDelta = true;
+  Shares shares;
+  const SkyGuide::View* sky = nullptr;
+  float width = 0.0f;  ///< of the pencil of rays at the origin
+  float spread = 0.0f;
+  int medium = -1;  ///< material of the solid that the path is in
+  int bounces = 0;
+  bool blurred = false;  ///< some scattering was not a mirror's
+};
+
+/// Shadow rays that travel in packets, because they share their origin or nearly so. Calls
+/// arrive(payload, transmittance) for each.
+template <class Payload, class Arrive>
+class ShadowBatch {
+ public:
+  ShadowBatch(const EmbreeScene& embree, Arrive arrive) : embree_(embree), arrive_(std::move(arrive)) {}
+
+  void add(const Ray& ray, const Payload& payload) {
+    const auto i = static_cast<std::size_t>(count_++);
+    rays_[i] = ray;
+    payloads_[i] = payload;
+    if (count_ == EmbreeScene::kPacket) flush();
+  }
+  void flush() {
+    if (count_ == 0) return;
+    const auto transmittance = embree_.transmittance(rays_, count_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+      arrive_(payloads_[i], transmittance[i]);
+    count_ = 0;
+  }
+
+ private:
+  const EmbreeScene& embree_;
+  Arrive arrive_;
+  int count_ = 0;
+  std::array<Ray, EmbreeScene::kPacket> rays_;
+  std::array<Payload, EmbreeScene::kPacket> payloads_;
+};
+
+template <class Payload, class Arrive>
+ShadowBatch<Payload, Arrive> shadowBatch(const EmbreeScene& embree, Arrive arrive) {
+  return ShadowBatch<Payload, Arrive>(embree, std::move(arrive));
+}
+
+/// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
+/// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own.
+template <class Add>
+void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
+                              Sampler& sampler, DeltaLights deltaLights, const Add& add) const {
+  bool askEnvironment = shares.environment > 0.0f;
+  bool askLocal = shares.local > 0.0f;
+  if (askEnvironment && shares.environment < 1.0f) {
+    const float choose = sampler.next1D();
+    askEnvironment = choose < shares.environment;
+    if (shares.local < 1.0f) askLocal = askLocal && !askEnvironment;
+  }
+  const auto weigh = [&](const LightSample& light, float share) {
+    if (light.delta && deltaLights == DeltaLights::kExcluded) return;
+    const glm::vec3 wi = vertex.basis.toLocal(light.direction);
+    if (!vertex.agree(wi, light.direction)) return;
+    const BsdfValue f = scattering.evaluate(wi);
+    if (isBlack(f.diffuse + f.viewDependent)) return;
+    const float pdf = light.pdf * share;
+    const float weight = (light.delta ? 1.0f : powerHeuristic(pdf, f.pdf)) / pdf;
+    const Rgb arriving = light.radiance * weight;
+    add(shadowRay(vertex.originToward(light.direction), light), f.diffuse * arriving,
+        f.viewDependent * arriving);
+  };
+  if (askEnvironment) {
+    const float choose = sampler.next1D();
+    const EnvironmentSample s = sky_->sample(*vertex.sky, choose, sampler.next2D());
+    if (s.pdf > 0.0f && !isBlack(s.radiance)) {
+      LightSample light;
+      light.direction = s.direction;
+      light.atInfinity = true;
+      light.radiance = s.radiance;
+      light.pdf = s.pdf;
+      weigh(light, shares.environment);
+    }
+  }
+  if (askLocal) {
+    const float choose = sampler.next1D();
+    const std::optional<LightSample> light =
+        lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
+    if (light && light->pdf > 0.0f) weigh(*light, shares.local);
+  }
+}
+
+}  // namespace promenade::render
