@@ -20,32 +20,47 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using walkthrough::Stopwatch;
 
-std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, std::uint64_t seed,
-                                      int threads) {
-  return render::makePathRenderer(
-      scene, {.pathsPerSample = pathsPerSample, .seed = seed, .threads = threads, .checkpoint = [] {
-                throwIfInterrupted();
-              }});
+using Solution = std::shared_ptr<const render::LightSolution>;
+
+std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, std::uint64_t seed, int threads,
+                                      const Solution& solution) {
+  return render::makePathRenderer(scene, {.pathsPerSample = pathsPerSample,
+                                          .seed = seed,
+                                          .threads = threads,
+                                          .solution = solution,
+                                          .checkpoint = [] { throwIfInterrupted(); }});
+}
+
+// The light of the whole walk, whatever part of it is rendered: so that parts fit together.
+Solution solutionFor(const Scene& scene, const paths::CameraPath& path, Size size, std::uint64_t seed,
+                     int threads, Console& console) {
+  std::vector<Camera> cameras;
+  for (int frame = 0; frame < path.frameCount(); ++frame) cameras.push_back(path.camera(frame, size));
+  Solution solution = render::solveLight(
+      scene, {.seed = seed, .threads = threads, .checkpoint = [] { throwIfInterrupted(); }}, cameras,
+      console.progress());
+  console.endProgress();
+  return solution;
 }
 
 // Exposure and paths a sample where they were left to the program.
 void chooseAutomatically(const RenderValues& values, const Scene& scene, const paths::CameraPath& path,
-                         walkthrough::Settings& settings, walkthrough::JobDescription& job,
-                         Console& console) {
+                         const Solution& solution, walkthrough::Settings& settings,
+                         walkthrough::JobDescription& job, Console& console) {
   if (!values.exposureEv) {
-    const auto renderer = rendererFor(scene, 16, values.seed, job.threads);
+    const auto renderer = rendererFor(scene, 16, values.seed, job.threads, solution);
     settings.tone.exposureEv =
         walkthrough::automaticExposure(path, settings.frames, *renderer, settings.size);
   }
   job.pathsPerSample = values.pathsPerSample.value_or(0);
   job.pathsChosenAutomatically = !values.pathsPerSample;
   if (values.pathsPerSample) return;
-  const auto verdict =
-      walkthrough::pathsForInvisibleNoise(path, settings,
-                                          [&](int paths, std::uint64_t seed) {
-                                            return rendererFor(scene, paths, values.seed + seed, job.threads);
-                                          },
-                                          {});
+  const auto verdict = walkthrough::pathsForInvisibleNoise(
+      path, settings,
+      [&](int paths, std::uint64_t seed) {
+        return rendererFor(scene, paths, values.seed + seed, job.threads, solution);
+      },
+      {});
   job.pathsPerSample = verdict.pathsPerSample;
   char text[160];
   std::snprintf(text, sizeof(text),
@@ -115,14 +130,19 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
                                                        : options.environment,
                 .seed = values.seed,
                 .threads = threads.count()};
+  Solution solution;
+  if (options.integrator == "walkthrough") {
+    const Stopwatch watch(report.seconds.indirect);
+    solution = solutionFor(scene, path, settings.size, values.seed, report.job.threads, console);
+  }
   {
     const Stopwatch watch(report.seconds.prepare);
-    chooseAutomatically(values, scene, path, settings, report.job, console);
+    chooseAutomatically(values, scene, path, solution, settings, report.job, console);
   }
   std::unique_ptr<Renderer> renderer;
   {
     const Stopwatch watch(report.seconds.load);
-    renderer = rendererFor(scene, report.job.pathsPerSample, values.seed, report.job.threads);
+    renderer = rendererFor(scene, report.job.pathsPerSample, values.seed, report.job.threads, solution);
   }
 
   FrameOutput output(folder, path, settings.size, {video, settings.tone, options.scene, hash});

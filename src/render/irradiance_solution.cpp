@@ -174,9 +174,9 @@ SurfaceLight gatherLight(const PathTracer& tracer, const RecordPlace& place, std
 
 }  // namespace
 
-IrradianceSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
+LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
                                    const SolutionSettings& settings, const ProgressCallback& progress) {
-  IrradianceSolution solution;
+  LightSolution solution;
   for (const Camera& camera : cameras) placeRecords(tracer, camera, settings, solution.records);
 
   const auto& places = solution.records.places();

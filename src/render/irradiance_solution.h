@@ -33,11 +33,11 @@ struct SolutionSettings {
 
 /// `cameras`: the walk's, at display resolution; the more of them, the less is left uncovered. The result
 /// does not depend on the number of threads. `progress` may be empty. `rays` counts what was traced.
-struct IrradianceSolution {
+struct LightSolution {
   IrradianceRecords records;
   PathRays rays;
 };
-[[nodiscard]] IrradianceSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
+[[nodiscard]] LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
                                                  const SolutionSettings& settings,
                                                  const ProgressCallback& progress);
 

@@ -84,13 +84,6 @@ class PathRenderer final : public Renderer {
         traits_(itemTraits(scene)),
         arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
 
-  void solveFor(std::span<const Camera> cameras, const ProgressCallback& progress) {
-    SolutionSettings solution;
-    solution.seed = seedOf(settings_);
-    solution.checkpoint = settings_.checkpoint;
-    arena_.execute([&] { tracer_.use(solveIrradiance(tracer_, cameras, solution, progress).records); });
-  }
-
   [[nodiscard]] Visibility visibility(const Camera& camera) const override {
     Visibility result = emptyVisibility(camera);
     forEachTile(camera.size(), [&](int tileX, int tileY) {
@@ -237,13 +230,20 @@ std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSetting
   return std::make_unique<PathRenderer>(scene, settings);
 }
 
-std::unique_ptr<Renderer> makeWalkthroughRenderer(const Scene& scene, const PathSettings& settings,
-                                                  std::span<const Camera> cameras,
-                                                  const ProgressCallback& progress) {
+std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSettings& settings,
+                                                std::span<const Camera> cameras,
+                                                const ProgressCallback& progress) {
   validate(settings);
-  auto renderer = std::make_unique<PathRenderer>(scene, settings);
-  renderer->solveFor(cameras, progress);
-  return renderer;
+  PathSettings unbiased = settings;
+  unbiased.solution = nullptr;
+  const PathTracer tracer(scene, unbiased);
+  SolutionSettings solution;
+  solution.seed = seedOf(settings);
+  solution.checkpoint = settings.checkpoint;
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  return arena.execute([&] {
+    return std::make_shared<const LightSolution>(solveIrradiance(tracer, cameras, solution, progress));
+  });
 }
 
 }  // namespace promenade::render

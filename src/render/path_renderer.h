@@ -30,6 +30,10 @@ enum class SolidGlass {
   kStraightAfterScattering,
 };
 
+/// A view-independent solution of the light on matt surfaces, for one scene (irradiance_solution.h,
+/// docs/method.md).
+struct LightSolution;
+
 struct PathSettings {
   int pathsPerSample = 16;  ///< >= 1; a power of two stratifies best
   int maxBounces = 8;       ///< scatterings along a path, >= 0; 0: emission only, 1: direct light
@@ -43,6 +47,11 @@ struct PathSettings {
   /// arriving as bright dots (biased; Kaplanyan, Dachsbacher, Path Space Regularization, 2013).
   float leastIndirectRoughness = 0.0f;
   SolidGlass solidGlass = SolidGlass::kRefracts;
+  /// Where this reaches, light on matt surfaces is interpolated from it: the same from frame to frame and
+  /// free of noise. What point, spot and directional lights send directly, and reflections and transmission,
+  /// are still traced, with pathsPerSample paths where they matter. Biased: penumbrae and contact shadows
+  /// finer than a few pixels are blurred. Null: paths alone.
+  std::shared_ptr<const LightSolution> solution = {};
   /// Called now and then from any thread during long work; may throw Interrupted, which ends the call
   /// cleanly.
   std::function<void()> checkpoint = {};
@@ -51,16 +60,11 @@ struct PathSettings {
 /// `scene` must outlive the renderer and must not change. Throws CannotContinue if memory runs out.
 [[nodiscard]] std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings);
 
-/// A renderer for one walk: light on matt surfaces comes from a view-independent solution that is computed
-/// here, once, for all that `cameras` (at display resolution) look at, and is interpolated; what point, spot
-/// and directional lights send directly, and reflections and transmission, are traced a sample,
-/// `pathsPerSample` paths where they matter. The same from frame to frame, and free of noise on matt
-/// surfaces. Where the solution does not reach, paths are traced on. Biased: the interpolation blurs
-/// penumbrae and contact shadows finer than a few pixels. docs/method.md. `progress` may be empty. Otherwise
-/// as makePathRenderer.
-[[nodiscard]] std::unique_ptr<Renderer> makeWalkthroughRenderer(const Scene& scene,
-                                                                const PathSettings& settings,
-                                                                std::span<const Camera> cameras,
-                                                                const ProgressCallback& progress);
+/// Computes what the walk of `cameras` (at display resolution) looks at. Uses settings.seed, threads,
+/// maxBounces and checkpoint; the result does not depend on the number of threads. `progress` may be empty.
+[[nodiscard]] std::shared_ptr<const LightSolution> solveLight(const Scene& scene,
+                                                              const PathSettings& settings,
+                                                              std::span<const Camera> cameras,
+                                                              const ProgressCallback& progress);
 
 }  // namespace promenade::render

@@ -3,6 +3,7 @@
 #include "src/render/path_tracer_internal.h"
 
 #include "src/core/display.h"
+#include "src/render/irradiance_solution.h"
 
 namespace promenade::render {
 namespace {
@@ -67,8 +68,8 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
 }
 
 std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex) const {
-  if (!solution_) return std::nullopt;
-  return solution_->at(vertex.position, vertex.facing);
+  if (!settings_.solution) return std::nullopt;
+  return settings_.solution->records.at(vertex.position, vertex.facing);
 }
 
 SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
