@@ -16,17 +16,17 @@ namespace promenade::render {
 
 struct SolutionSettings {
   /// The reach of a record is this share of the harmonic mean distance to what it sees (Ward 1988) ...
-  float reachOfSurroundings = 0.3f;
+  float reachOfSurroundings = 0.5f;
   /// ... but within these bounds, in display pixels at the distance it is first seen from.
-  float leastReachPixels = 3.0f;
-  float mostReachPixels = 12.0f;
-  /// Pixels are taken as at least this wide a view divided into.
+  float leastReachPixels = 4.0f;
+  float mostReachPixels = 20.0f;
+  /// A view counts as at most this many pixels wide: larger images get no finer records.
   int mostPixelsAcross = 480;
-  int pathsPerBatch = 512;
+  int pathsPerBatch = 256;
   int leastBatches = 4;
-  int mostBatches = 8;
+  int mostBatches = 16;
   /// Gathering ends when the standard error of a record's luminance is below this share of it.
-  float relativeError = 0.015f;
+  float relativeError = 0.02f;
   std::uint32_t seed = 0;
   std::function<void()> checkpoint = {};  ///< as in PathSettings
 };

@@ -1,0 +1,175 @@
+// The view-independent solution of the light on matt surfaces: interpolation by hand, and whole renders
+// against closed forms.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/render/irradiance_records.h"
+#include "src/render/path_renderer.h"
+#include "tests/render/scenes.h"
+
+namespace promenade::render {
+namespace {
+
+const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+
+SurfaceLight lightOf(float value) {
+  return {Rgb(value), (2.0f / 3.0f) * kUp};
+}
+
+TEST(IrradianceRecords, SayNothingBeyondTheirReach) {
+  IrradianceRecords records;
+  records.place({{0, 0, 0}, kUp, 1.0f});
+  records.setLight({lightOf(2.0f)});
+  ASSERT_TRUE(records.at({0.9f, 0, 0}, kUp).has_value());
+  EXPECT_FLOAT_EQ(records.at({0.9f, 0, 0}, kUp)->radiance.r, 2.0f);
+  EXPECT_FALSE(records.at({1.1f, 0, 0}, kUp).has_value());
+}
+
+TEST(IrradianceRecords, KeepApartWhatFacesElsewhereOrLiesOnAnotherPlane) {
+  IrradianceRecords records;
+  records.place({{0, 0, 0}, kUp, 1.0f});
+  records.setLight({lightOf(1.0f)});
+  EXPECT_FALSE(records.at({0, 0, 0}, {1, 0, 0}).has_value());
+  EXPECT_FALSE(records.at({0, 0, 0}, -kUp).has_value());     // the other side of a thin wall
+  EXPECT_FALSE(records.at({0, -0.3f, 0}, kUp).has_value());  // a step
+  EXPECT_TRUE(records.at({0, -0.1f, 0}, kUp).has_value());
+}
+
+TEST(IrradianceRecords, MeetHalfwayBetweenEqualNeighbours) {
+  IrradianceRecords records;
+  records.place({{0, 0, 0}, kUp, 1.0f});
+  records.place({{1, 0, 0}, kUp, 1.0f});
+  records.setLight({lightOf(1.0f), lightOf(3.0f)});
+  EXPECT_FLOAT_EQ(records.at({0.5f, 0, 0}, kUp)->radiance.r, 2.0f);
+  // A quarter of the way the weights are 1 - 0.25 and 1 - 0.75: (0.75 * 1 + 0.25 * 3) / 1.
+  EXPECT_NEAR(records.at({0.25f, 0, 0}, kUp)->radiance.r, 1.5f, 1e-5f);
+}
+
+TEST(IrradianceRecords, AreFoundAcrossTheBordersOfTheirCells) {
+  IrradianceRecords records;
+  // Negative coordinates, a reach that is not a power of two, a place next to a cell's corner.
+  records.place({{-3.999f, 4.001f, -8.0f}, kUp, 0.7f});
+  records.setLight({lightOf(1.0f)});
+  for (int i = 0; i < 64; ++i) {
+    const float angle = 6.2831853f * static_cast<float>(i) / 64.0f;
+    const glm::vec3 offset(0.69f * std::cos(angle), 0.0f, 0.69f * std::sin(angle));
+    EXPECT_TRUE(records.at(glm::vec3(-3.999f, 4.001f, -8.0f) + offset, kUp).has_value()) << i;
+  }
+}
+
+TEST(IrradianceRecords, CoverOnlyWhatIsNearAndFineEnough) {
+  IrradianceRecords records;
+  records.place({{0, 0, 0}, kUp, 1.0f});
+  EXPECT_TRUE(records.covers({0.5f, 0, 0}, kUp, 1.0f));
+  EXPECT_FALSE(records.covers({0.7f, 0, 0}, kUp, 1.0f));  // within reach, but another record helps
+  EXPECT_FALSE(records.covers({0.5f, 0, 0}, kUp, 0.5f));  // too coarse for who asks
+}
+
+TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {
+  // Light from 45 degrees, seen by a surface turned toward it: 1 / cos 45.
+  const glm::vec3 light = glm::vec3(1, 1, 0) / std::sqrt(2.0f);
+  EXPECT_NEAR(radianceOnTurned({Rgb(1.0f), light}, kUp, light).r, std::sqrt(2.0f), 1e-4f);
+  EXPECT_EQ(radianceOnTurned({Rgb(1.0f), light}, kUp, -light).r, 0.0f);
+}
+
+TEST(RadianceOnTurned, LosesTheShareOfAUniformSkyThatSinksBelowTheHorizon) {
+  // (1 + cos 60) / 2 = 0.75.
+  const glm::vec3 turned(std::sqrt(0.75f), 0.5f, 0.0f);
+  EXPECT_NEAR(radianceOnTurned(lightOf(1.0f), kUp, turned).r, 0.75f, 1e-4f);
+  EXPECT_FLOAT_EQ(radianceOnTurned(lightOf(1.0f), kUp, kUp).r, 1.0f);
+}
+
+// --- Whole renders ---
+
+double meanWithSolution(const Scene& scene, const Camera& camera, PathSettings settings) {
+  settings.solution = solveLight(scene, settings, std::span(&camera, 1), {});
+  return tests::meanRadiance(makePathRenderer(scene, settings)->render(camera, 0)).y;
+}
+
+PathSettings fewPaths() {
+  PathSettings settings;
+  settings.pathsPerSample = 8;
+  settings.maxBounces = 6;
+  return settings;
+}
+
+Scene floorScene(const Material& material) {
+  Scene scene;
+  scene.materials.push_back(material);
+  tests::place(scene, tests::quad({-50.0f, 0.0f, 50.0f}, {100.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -100.0f}, 0));
+  return scene;
+}
+
+TEST(LightSolution, LeavesAWhiteSphereInvisibleUnderAUniformSky) {
+  Scene scene;
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(1.0f)));
+  tests::place(scene, tests::sphere({0, 0, 0}, 1.0f, 96, 48, 0));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  const Camera camera = tests::lookingAt({0, 0, 4}, {0, 0, 0}, {48, 48}, 0.35);
+  EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), 1.0, 0.01);
+}
+
+TEST(LightSolution, LeavesAGlossyWhiteSphereInvisibleToo) {
+  Scene scene;
+  Material glossy;
+  glossy.metallic = 0.0f;
+  glossy.roughness = 0.4f;
+  scene.materials.push_back(glossy);
+  tests::place(scene, tests::sphere({0, 0, 0}, 1.0f, 96, 48, 0));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  const Camera camera = tests::lookingAt({0, 0, 4}, {0, 0, 0}, {48, 48}, 0.35);
+  EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), 1.0, 0.02);
+}
+
+TEST(LightSolution, AddsDirectionalLightOnceAndExactly) {
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.25f)));
+  PunctualLight light;
+  light.type = PunctualLight::Type::kDirectional;
+  light.intensity = Rgb(3.0f);
+  light.direction = glm::normalize(glm::vec3(1.0f, -1.0f, 0.0f));
+  scene.lights.push_back(light);
+  // albedo / pi * lux * cos 45; nothing else shines, the records themselves are black.
+  const double expected = 0.25 / tests::kPi * 3.0 * std::sqrt(0.5);
+  const Camera camera = tests::lookingAt({0.3, 3.0, 2.0}, {0, 0, 0}, {16, 16}, 0.5);
+  EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), expected, 1e-3 * expected);
+}
+
+TEST(LightSolution, AgreesWithPathsUnderAPanel) {
+  // A panel of 2 m by 2 m, 2 m above the floor: soft light with a strong gradient.
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.5f)));
+  Material lamp = tests::diffuseMaterial(Rgb(0.0f));
+  lamp.emission = Rgb(5.0f);
+  scene.materials.push_back(lamp);
+  tests::place(scene, tests::quad({-1.0f, 2.0f, -1.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 2.0f}, 1));
+  const Camera camera = tests::lookingAt({0.0, 1.0, 3.0}, {0, 0, 0}, {160, 120}, 0.7);
+  PathSettings settings = fewPaths();
+  settings.pathsPerSample = 32;
+  const double paths = tests::meanRadiance(makePathRenderer(scene, settings)->render(camera, 0)).y;
+  EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), paths, 0.02 * paths);
+}
+
+TEST(LightSolution, IsTheSameForAnyNumberOfThreads) {
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.5f)));
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.8f)));
+  tests::place(scene, tests::sphere({0, 0.5f, 0}, 0.5f, 24, 12, 1));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  const Camera camera = tests::lookingAt({0.0, 1.0, 3.0}, {0, 0.3, 0}, {32, 24}, 0.7);
+  PathSettings one = fewPaths();
+  one.threads = 1;
+  PathSettings two = fewPaths();
+  two.threads = 2;
+  one.solution = solveLight(scene, one, std::span(&camera, 1), {});
+  two.solution = solveLight(scene, two, std::span(&camera, 1), {});
+  const Frame a = makePathRenderer(scene, one)->render(camera, 0);
+  const Frame b = makePathRenderer(scene, two)->render(camera, 0);
+  for (std::size_t i = 0; i < a.diffuse.pixels().size(); ++i) {
+    ASSERT_EQ(a.diffuse.pixels()[i], b.diffuse.pixels()[i]) << i;
+    ASSERT_EQ(a.viewDependent.pixels()[i], b.viewDependent.pixels()[i]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace promenade::render
