@@ -15,16 +15,14 @@ import pathlib
 import shlex
 import subprocess
 import sys
-import time
 
 
-def run(command, log):
-    start = time.monotonic()
-    with open(log, "w") as out:
-        status = subprocess.run(command, stdout=out, stderr=subprocess.STDOUT).returncode
+def run(command, log, output=None):
+    """Runs a command; what it says goes to `log`, its results to `output` where that is given."""
+    with open(log, "w") as messages, open(output or log, "a" if output is None else "w") as results:
+        status = subprocess.run(list(map(str, command)), stdout=results, stderr=messages).returncode
     if status != 0:
         sys.exit(f"{shlex.join(map(str, command))}\nended with status {status}; see {log}")
-    return time.monotonic() - start
 
 
 def main():
@@ -54,12 +52,12 @@ def main():
         def render(folder, *arguments):
             command = [options.promenade, "render", file, "--out", options.out / folder, "--size", options.size,
                        "--supersample", options.supersample, "--spp", spp, "--overwrite", *further, *arguments]
-            return run(command, options.out / f"{folder}.log")
+            run(command, options.out / f"{folder}.log")
 
         def compare(test, reference, result):
+            exposure = json.loads((options.out / reference / "report.json").read_text())["job"]["exposure_ev"]
             run([options.promenade, "compare", options.out / test / "frames", options.out / reference / "frames",
-                 "--exposure", json.loads((options.out / reference / "report.json").read_text())["job"]["exposure"],
-                 "--json", options.out / result], options.out / f"{result}.log")
+                 "--exposure", exposure, "--json"], options.out / f"{result}.log", options.out / result)
 
         if "clean" in steps:
             frame = f"{options.clean_frame}-{options.clean_frame}"
