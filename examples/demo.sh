@@ -30,8 +30,14 @@ render() {
   build/release/src/app/promenade render out/hall-scene/hall.gltf --out out/hall --size 640x360 --supersample 2 \
     --integrator walkthrough --spp 16 --exposure 0 "$@"
 }
-# Status 2: out/hall holds the frames of another version of the program or of the scene.
-render || { [ $? -eq 2 ] && render --overwrite; }
+status=0
+render || status=$?
+if [ "$status" -eq 2 ]; then  # out/hall holds the frames of another version of the program or of the scene
+  render --overwrite
+elif [ "$status" -ne 0 ]; then
+  echo "The rendering stopped before its end; run examples/demo.sh again to go on." >&2
+  exit "$status"
+fi
 
 step "Done"
 echo "video    out/hall/walkthrough.mp4"
