@@ -28,7 +28,7 @@ step "Rendering the walk to out/hall: 200 frames of 640x360"
 # metric rightly takes for differences between keyframes.
 render() {
   build/release/src/app/promenade render out/hall-scene/hall.gltf --out out/hall --size 640x360 --supersample 2 \
-    --integrator walkthrough --spp 16 --exposure 0 "$@"
+    --integrator walkthrough --spp 8 --exposure 0 "$@"
 }
 status=0
 render || status=$?

@@ -10,6 +10,10 @@ namespace {
 
 /// Less than this of white light in the view-dependent part is not worth a ray.
 constexpr float kLeastViewDependent = 0.002f;
+/// Up to this share of white light every sample uses the same random numbers: the error of a faint reflection
+/// is then a smooth function of place and direction, the same in every frame, instead of grain that differs
+/// between keyframes. (A stronger reflection would show the few directions as ghosts.)
+constexpr float kFaint = 0.25f;
 /// From this roughness on the reflection seen directly is taken from the solution too: its lobe is nearly as
 /// wide as the hemisphere, and a few paths would only add noise to it.
 constexpr float kBroadToTheEye = 0.8f;
@@ -104,10 +108,12 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const SurfaceLight& 
   const float share = largest(albedo.viewDependent);
   if (share < kLeastViewDependent) return result;
 
-  // A faint reflection needs fewer paths for the same error of the sum.
-  int count = settings_.pathsPerSample;
-  while (count > 1 && static_cast<float>(count) > 4.0f * share * static_cast<float>(settings_.pathsPerSample))
-    count /= 2;
+  const int count = settings_.pathsPerSample;
+  Sampler::Stream numbers = stream;
+  if (share <= kFaint) {
+    numbers.pixel = {0, 0};
+    numbers.frame = 0;
+  }
   dropDiffuse(look.bsdf);
   scattering = ScatteringSurface(look.bsdf, vertex.wo);
   const Shares shares = firstShares(vertex);
@@ -115,7 +121,7 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const SurfaceLight& 
   auto shadows = shadowBatch<Rgb>(
       embree_, [&sum](const Rgb& light, const Rgb& transmittance) { sum += light * transmittance; });
   for (int i = 0; i < count; ++i) {
-    Sampler sampler(stream, static_cast<std::uint32_t>(i));
+    Sampler sampler(numbers, static_cast<std::uint32_t>(i));
     sampleLights(vertex, scattering, shares, sampler, DeltaLights::kExcluded,
                  [&](const Ray& shadow, const Rgb&, const Rgb& viewDependent) {
                    ++rays.shadow;
