@@ -175,7 +175,7 @@ SurfaceLight gatherLight(const PathTracer& tracer, const RecordPlace& place, std
 }  // namespace
 
 LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
-                                   const SolutionSettings& settings, const ProgressCallback& progress) {
+                              const SolutionSettings& settings, const ProgressCallback& progress) {
   LightSolution solution;
   for (const Camera& camera : cameras) placeRecords(tracer, camera, settings, solution.records);
 

@@ -38,7 +38,7 @@ struct LightSolution {
   PathRays rays;
 };
 [[nodiscard]] LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
-                                                 const SolutionSettings& settings,
-                                                 const ProgressCallback& progress);
+                                            const SolutionSettings& settings,
+                                            const ProgressCallback& progress);
 
 }  // namespace promenade::render
