@@ -22,13 +22,15 @@ struct EncoderChoice {
   const char* muxer;
   const char* encoder;
   AVPixelFormat pixelFormat;
-  int threads;  // fixed: the bytes that x264 and libvpx write depend on it
+  // Fixed: the bytes that libvpx writes depend on it. With more than one thread x264's rate control depends
+  // on how they are scheduled as well, now and then.
+  int threads;
 };
 
 EncoderChoice choiceFor(VideoFormat format) {
   switch (format) {
     case VideoFormat::kH264:
-      return {"mp4", "libx264", AV_PIX_FMT_YUV420P, 4};
+      return {"mp4", "libx264", AV_PIX_FMT_YUV420P, 1};
     case VideoFormat::kFfv1:
       return {"matroska", "ffv1", AV_PIX_FMT_BGR0, 4};
     case VideoFormat::kVp9:

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -199,7 +201,9 @@ TEST(Fingerprint, TellsApartWhatConcatenationWouldNot) {
 class OutputFolderTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "promenade-output-folder";
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ =
+        std::filesystem::path(testing::TempDir()) / ("promenade-" + std::to_string(getpid()) + "-" + test);
     std::filesystem::remove_all(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
