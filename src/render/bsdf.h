@@ -31,8 +31,6 @@ struct BsdfParameters {
   float clearcoatRoughness = 0.0f;
 };
 
-enum class Lobe { kDiffuse, kViewDependent };
-
 /// Value of the scattering function times |cos(theta_i)|, and the probability density (solid angle) with
 /// which sampleBsdf would have chosen wi. Delta lobes contribute nothing here.
 struct BsdfValue {
