@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
 
 #include "aqm/cortex.h"
 #include "aqm/csf.h"
@@ -25,8 +28,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes = hn::CappedTag<float, 8>;
 
-/// Fits 12 Gabor thresholds of ModelFest. docs/method.md.
-constexpr double kGain = 1.09;
 /// One cache line of complex floats: the unit of transposition.
 constexpr int kRowsPerBlock = 8;
 constexpr int kColumnsPerBlock = 4;
@@ -35,15 +36,6 @@ constexpr int kColumnsPerBlock = 4;
 constexpr float kNegligible = 1e-24f;
 /// Exponents stop here. Only the baseband gets there, at retinal speeds above 256 degrees per second.
 constexpr float kLargestExponent = 40.0f;
-
-double lowestFrequency(int band) {
-  return std::ldexp(2.0 / 3.0, -band);
-}
-
-int columnsPassed(int band, int bands, int columns, int paddedWidth) {
-  const double highest = band > bands ? std::ldexp(4.0 / 3.0, -bands) : std::ldexp(8.0 / 3.0, -band);
-  return std::min(columns, static_cast<int>(std::ceil(highest * paddedWidth)) + 1);
-}
 
 template <class Body>
 void forEachColumn(int begin, int end, const Body& body) {
@@ -88,11 +80,12 @@ void addWeighted(const float* weights, const float* from, float* to, int count) 
 }  // namespace
 
 ChannelBank::ChannelBank(const Layout& layout, const FourierPlans& plans, const Spectrum& test,
-                         const Spectrum& reference)
+                         const Spectrum& reference, const ChannelModel& model)
     : layout_(layout),
       plans_(plans),
       testSpectrum_(test),
       referenceSpectrum_(reference),
+      model_(model),
       frequency_(layout.padded.height, layout.spectrumColumns()),
       fan_(layout.padded.height, layout.spectrumColumns()),
       passed_(layout.padded.height, layout.spectrumColumns()),
@@ -103,22 +96,25 @@ ChannelBank::ChannelBank(const Layout& layout, const FourierPlans& plans, const 
   const Size padded = layout.padded;
   const int columns = layout.spectrumColumns();
   for (int band = 1; band <= layout.bands + 1; ++band) {
-    radial_.emplace_back(padded.height, columnsPassed(band, layout.bands, columns, padded.width));
+    const double passed = std::ceil(model.filters.highest(band) * padded.width) + 1.0;
+    radial_.emplace_back(padded.height, static_cast<int>(std::min<double>(columns, passed)));
   }
   forEachColumn(0, columns, [&](int ix) {
     for (int iy = 0; iy < padded.height; ++iy) {
-      const double f = std::hypot(signedFrequency(ix, padded.width), signedFrequency(iy, padded.height));
-      frequency_.row(ix)[iy] = static_cast<float>(f * layout.pixelsPerDegree);
+      const Frequency f{signedFrequency(ix, padded.width), signedFrequency(iy, padded.height)};
+      frequency_.row(ix)[iy] = static_cast<float>(std::hypot(f.x, f.y) * layout.pixelsPerDegree);
       for (int band = 1; band <= layout.bands + 1; ++band) {
         Plane<float>& amplitudes = radial_[static_cast<std::size_t>(band - 1)];
         if (ix < amplitudes.height()) {
-          const double amplitude =
-              band > layout.bands ? basebandAmplitude(f, layout.bands) : bandAmplitude(f, band);
-          amplitudes.row(ix)[iy] = static_cast<float>(amplitude);
+          amplitudes.row(ix)[iy] = static_cast<float>(model.filters.radial(f, band));
         }
       }
     }
   });
+}
+
+void ChannelBank::relateTo(Plane<float> testMeans, Plane<float> referenceMeans) {
+  means_ = {std::move(testMeans), std::move(referenceMeans)};
 }
 
 ChannelBank::Columns ChannelBank::passColumns(const Channel& channel) {
@@ -129,31 +125,58 @@ ChannelBank::Columns ChannelBank::passColumns(const Channel& channel) {
       for (int iy = 0; iy < padded.height; ++iy) {
         const Frequency frequency{signedFrequency(ix, padded.width), signedFrequency(iy, padded.height),
                                   2 * ix == padded.width, 2 * iy == padded.height};
-        fan_.row(ix)[iy] = channel.orientation == kUnoriented
-                               ? 1.0f
-                               : static_cast<float>(fanAmplitude(frequency, channel.orientation));
+        fan_.row(ix)[iy] = static_cast<float>(model_.filters.fan(frequency, channel.orientation));
       }
     });
   }
   const Plane<float>& radial = radial_[static_cast<std::size_t>(channel.band - 1)];
   // The transforms are unscaled.
-  const auto scale = static_cast<float>(kGain / static_cast<double>(padded.area()));
+  const auto scale = static_cast<float>(model_.gain / static_cast<double>(padded.area()));
+  const bool byLevels = model_.csf == Csf::kKellyDaly && model_.placement == CsfPlacement::kWithinBands;
   std::vector<char> passes(static_cast<std::size_t>(radial.height()));
   forEachColumn(0, radial.height(), [&](int ix) {
-    float largest = 0.0f;
+    bool any = false;
     for (int iy = 0; iy < padded.height; ++iy) {
-      const float rho = frequency_.row(ix)[iy];
-      const float value = scale * radial.row(ix)[iy] * fan_.row(ix)[iy] * (rho * rho);
+      float value = scale * radial.row(ix)[iy] * fan_.row(ix)[iy];
+      if (byLevels) {
+        const float rho = frequency_.row(ix)[iy];
+        value *= rho * rho;
+      } else if (value != 0.0f) {
+        const double s = spectralSensitivity(signedFrequency(ix, padded.width),
+                                             signedFrequency(iy, padded.height), channel);
+        value *= static_cast<float>(s);
+      }
       passed_.row(ix)[iy] = value;
-      largest = std::max(largest, value);
+      any = any || value != 0.0f;
     }
-    passes[static_cast<std::size_t>(ix)] = largest > 0.0f ? 1 : 0;
+    passes[static_cast<std::size_t>(ix)] = any ? 1 : 0;
   });
   const auto first = std::find(passes.begin(), passes.end(), 1);
   const auto last = std::find(passes.rbegin(), passes.rend(), 1);
   return first == passes.end()
              ? Columns{}
              : Columns{static_cast<int>(first - passes.begin()), static_cast<int>(passes.rend() - last)};
+}
+
+double ChannelBank::spectralSensitivity(double fx, double fy, const Channel& channel) const {
+  const double ppd = layout_.pixelsPerDegree;
+  const bool isCentre = model_.placement == CsfPlacement::kBandCentres;
+  const double rho = ppd * (isCentre ? model_.filters.centre(channel.band) : std::hypot(fx, fy));
+  switch (model_.csf) {
+    case Csf::kKellyDaly:
+      return 1.0;  // with the pixels, because it depends on the speed
+    case Csf::kDaly: {
+      const double angle =
+          !isCentre ? std::atan2(fy, fx)
+                    : (channel.orientation == kUnoriented
+                           ? 0.0
+                           : std::numbers::pi * channel.orientation / model_.filters.orientations());
+      return dalySensitivity(rho, angle, model_.adaptation);
+    }
+    case Csf::kMannosSakrison:
+      return mannosSakrisonSensitivity(rho);
+  }
+  return 0.0;
 }
 
 void ChannelBank::filterColumns(Columns columns, double decay, double lowest) {
@@ -173,49 +196,24 @@ void ChannelBank::filterColumns(Columns columns, double decay, double lowest) {
                     });
 }
 
-void ChannelBank::addRows(Columns columns, int level, const Channel& channel, const SpeedField& speeds) {
-  const bool isBaseband = channel.band > layout_.bands;
-  const double ppd = layout_.pixelsPerDegree;
-  const double centre = ppd * (isBaseband ? basebandCentre(layout_.bands) : bandCentre(channel.band));
-  const double lowest = isBaseband ? 0.0 : ppd * lowestFrequency(channel.band);
-  const double decayPerSpeed = frequencyDecay(1.0) - frequencyDecay(0.0);
-
-  const Lanes tag;
-  const auto levelOctave = hn::Set(tag, static_cast<float>(level));
-  const auto levelValue = hn::Set(tag, static_cast<float>(levelSpeed(level)));
-  const auto slope = hn::Set(tag, static_cast<float>(-centre * decayPerSpeed));
-  const auto offset = hn::Set(tag, static_cast<float>(-lowest * frequencyDecay(levelSpeed(level))));
-  const auto one = hn::Set(tag, 1.0f);
-  const auto weighLevel = [&](int y, float* weights) {
-    for (int x = 0; x < speeds.speed.stride(); x += static_cast<int>(hn::Lanes(tag))) {
-      const auto distance = hn::Abs(hn::Sub(hn::Load(tag, speeds.octave.row(y) + x), levelOctave));
-      const auto hat = hn::Max(hn::Zero(tag), hn::Sub(one, distance));
-      const auto faster = hn::Sub(hn::Load(tag, speeds.speed.row(y) + x), levelValue);
-      const auto exponent = hn::Add(hn::Mul(slope, faster), offset);
-      const auto ratio = hn::Exp(tag, hn::Min(exponent, hn::Set(tag, kLargestExponent)));
-      hn::Store(hn::Mul(hn::Mul(hat, hn::Load(tag, speeds.gain.row(y) + x)), ratio), tag, weights + x);
-    }
-  };
-
+template <class Needed, class Weights>
+void ChannelBank::addRows(Columns columns, const Needed& needed, const Weights& weigh) {
   const int spectrumColumns = layout_.spectrumColumns();
   const int stride = responses_.test.stride();
   const int blocks = (layout_.image.height + kRowsPerBlock - 1) / kRowsPerBlock;
   tbb::parallel_for(0, blocks, [&](int block) {
     const int begin = block * kRowsPerBlock;
     const int end = std::min(begin + kRowsPerBlock, layout_.image.height);
-    const auto needsLevel = [&](int y) {
-      return (speeds.levelsOfRow[static_cast<std::size_t>(y)] >> level & 1u) != 0;
-    };
-    bool needed = false;
+    bool any = false;
     for (int y = begin; y < end; ++y) {
-      needed = needed || needsLevel(y);
+      any = any || needed(y);
     }
-    if (!needed) {
+    if (!any) {
       return;
     }
     Plane<float> weights(layout_.image.width, kRowsPerBlock);
     for (int y = begin; y < end; ++y) {
-      weighLevel(y, weights.row(y - begin));
+      weigh(y, weights.row(y - begin));
     }
     // Also holds what lies right of the padded image when whole vectors are read from the margin on.
     Plane<float> filtered(std::max(layout_.padded.width, layout_.margin + stride), 1);
@@ -234,7 +232,7 @@ void ChannelBank::addRows(Columns columns, int level, const Channel& channel, co
         }
       }
       for (int y = begin; y < end; ++y) {
-        if (needsLevel(y)) {
+        if (needed(y)) {
           plans_.inverseRow(rows.row(y - begin), filtered.row(0));
           addWeighted(weights.row(y - begin), filtered.row(0) + layout_.margin, to->row(y), stride);
         }
@@ -243,19 +241,83 @@ void ChannelBank::addRows(Columns columns, int level, const Channel& channel, co
   });
 }
 
+void ChannelBank::respondByLevels(Columns columns, const Channel& channel, const SpeedField& speeds) {
+  const double ppd = layout_.pixelsPerDegree;
+  const double centre = ppd * model_.filters.centre(channel.band);
+  const double lowest = ppd * model_.filters.lowest(channel.band);
+  const double decayPerSpeed = frequencyDecay(1.0) - frequencyDecay(0.0);
+  const Lanes tag;
+  for (int level = 0; level <= speeds.steps.last; ++level) {
+    if ((speeds.levels >> level & 1u) == 0) {
+      continue;
+    }
+    const double levelSpeed = speeds.steps.speed(level);
+    const auto levelOctave = hn::Set(tag, static_cast<float>(level));
+    const auto levelValue = hn::Set(tag, static_cast<float>(levelSpeed));
+    const auto slope = hn::Set(tag, static_cast<float>(-centre * decayPerSpeed));
+    const auto offset = hn::Set(tag, static_cast<float>(-lowest * frequencyDecay(levelSpeed)));
+    const auto one = hn::Set(tag, 1.0f);
+    filterColumns(columns, frequencyDecay(levelSpeed), lowest);
+    addRows(
+        columns, [&](int y) { return (speeds.levelsOfRow[static_cast<std::size_t>(y)] >> level & 1u) != 0; },
+        [&](int y, float* weights) {
+          for (int x = 0; x < speeds.speed.stride(); x += static_cast<int>(hn::Lanes(tag))) {
+            const auto distance = hn::Abs(hn::Sub(hn::Load(tag, speeds.octave.row(y) + x), levelOctave));
+            const auto hat = hn::Max(hn::Zero(tag), hn::Sub(one, distance));
+            const auto faster = hn::Sub(hn::Load(tag, speeds.speed.row(y) + x), levelValue);
+            const auto exponent = hn::Add(hn::Mul(slope, faster), offset);
+            const auto ratio = hn::Exp(tag, hn::Min(exponent, hn::Set(tag, kLargestExponent)));
+            hn::Store(hn::Mul(hn::Mul(hat, hn::Load(tag, speeds.gain.row(y) + x)), ratio), tag, weights + x);
+          }
+        });
+  }
+}
+
+void ChannelBank::respondAtCentre(Columns columns, const Channel& channel, const SpeedField& speeds) {
+  const double centre = layout_.pixelsPerDegree * model_.filters.centre(channel.band);
+  const double decayPerSpeed = frequencyDecay(1.0) - frequencyDecay(0.0);
+  const Lanes tag;
+  const auto square = hn::Set(tag, static_cast<float>(centre * centre));
+  const auto slope = hn::Set(tag, static_cast<float>(-centre * decayPerSpeed));
+  const auto offset = hn::Set(tag, static_cast<float>(-centre * frequencyDecay(0.0)));
+  const bool followsSpeed = model_.csf == Csf::kKellyDaly;
+  filterColumns(columns, 0.0, 0.0);
+  addRows(
+      columns, [](int) { return true; },
+      [&](int y, float* weights) {
+        if (!followsSpeed) {
+          std::fill_n(weights, layout_.image.width, 1.0f);
+          return;
+        }
+        for (int x = 0; x < speeds.speed.stride(); x += static_cast<int>(hn::Lanes(tag))) {
+          const auto exponent = hn::Add(hn::Mul(slope, hn::Load(tag, speeds.speed.row(y) + x)), offset);
+          const auto gain = hn::Mul(square, hn::Load(tag, speeds.gain.row(y) + x));
+          hn::Store(hn::Mul(gain, hn::Exp(tag, exponent)), tag, weights + x);
+        }
+      });
+}
+
 const Responses& ChannelBank::respond(const Channel& channel, const SpeedField& speeds) {
   tbb::parallel_for(0, layout_.image.height, [&](int y) {
     std::fill_n(responses_.test.row(y), responses_.test.stride(), 0.0f);
     std::fill_n(responses_.reference.row(y), responses_.reference.stride(), 0.0f);
   });
   const Columns columns = passColumns(channel);
-  const double lowest =
-      channel.band > layout_.bands ? 0.0 : layout_.pixelsPerDegree * lowestFrequency(channel.band);
-  for (int level = 0; level <= kFastestLevel && columns.begin < columns.end; ++level) {
-    if ((speeds.levels >> level & 1u) != 0) {
-      filterColumns(columns, frequencyDecay(levelSpeed(level)), lowest);
-      addRows(columns, level, channel, speeds);
+  if (columns.begin < columns.end) {
+    if (model_.csf == Csf::kKellyDaly && model_.placement == CsfPlacement::kWithinBands) {
+      respondByLevels(columns, channel, speeds);
+    } else {
+      respondAtCentre(columns, channel, speeds);
     }
+  }
+  if (means_.test.width() != 0) {
+    tbb::parallel_for(0, layout_.image.height, [&](int y) {
+      for (auto [response, mean] :
+           {std::pair(&responses_.test, &means_.test), std::pair(&responses_.reference, &means_.reference)}) {
+        std::transform(response->row(y), response->row(y) + layout_.image.width, mean->row(y),
+                       response->row(y), std::divides<>());
+      }
+    });
   }
   return responses_;
 }

@@ -2,8 +2,11 @@
 // The responses of the channels to the two frames, in units of their own unmasked threshold: the cortex
 // filters and the CSF, applied together.
 
+#include <optional>
 #include <vector>
 
+#include "aqm/csf.h"
+#include "aqm/filter_bank.h"
 #include "aqm/fourier.h"
 #include "aqm/layout.h"
 #include "aqm/plane.h"
@@ -12,7 +15,7 @@
 
 namespace promenade::aqm {
 
-/// Bands 1 (finest) .. K with an orientation 0..5 each, and band K+1, the baseband, with kUnoriented.
+/// Bands 1 (finest) .. K with an orientation each, and band K+1, the baseband, with kUnoriented.
 struct Channel {
   int band = 1;
   int orientation = 0;
@@ -25,11 +28,25 @@ struct Responses {
   Plane<float> reference;
 };
 
-/// Y(x) = G sum_j w_j(v(x)) S(rho_k, v(x)) / S(rho_k, u_j) IFFT[ F H_kl S(rho, u_j) ](x).
+/// How responses get their unit.
+struct ChannelModel {
+  FilterBank filters;
+  Csf csf = Csf::kKellyDaly;
+  CsfPlacement placement = CsfPlacement::kWithinBands;
+  Adaptation adaptation{};  ///< for Csf::kDaly
+  double gain = 1.09;       ///< G
+};
+
+/// Kelly-Daly within the bands: Y(x) = G sum_j w_j(v(x)) S(rho_k, v(x)) / S(rho_k, u_j)
+/// IFFT[ F H_kl S(rho, u_j) ](x). At band centres: G S(rho_k, v(x)) IFFT[ F H_kl ](x). A static CSF does not
+/// depend on v.
 class ChannelBank {
  public:
   ChannelBank(const Layout& layout, const FourierPlans& plans, const Spectrum& test,
-              const Spectrum& reference);
+              const Spectrum& reference, const ChannelModel& model);
+
+  /// From now on the responses are divided by these, pixel by pixel: local contrast.
+  void relateTo(Plane<float> testMeans, Plane<float> referenceMeans);
 
   /// `speeds` belongs to the orientation of `channel`. The result lives until the next call.
   const Responses& respond(const Channel& channel, const SpeedField& speeds);
@@ -41,22 +58,29 @@ class ChannelBank {
   };
   /// Fills passed_ and returns the columns of the spectrum that the channel passes at all.
   Columns passColumns(const Channel& channel);
+  [[nodiscard]] double spectralSensitivity(double fx, double fy, const Channel& channel) const;
   void filterColumns(Columns columns, double decay, double lowestFrequency);
-  void addRows(Columns columns, int level, const Channel& channel, const SpeedField& speeds);
+  /// Adds weights(y, to) times the filtered frames to the responses, in the rows that are `needed`.
+  template <class Needed, class Weights>
+  void addRows(Columns columns, const Needed& needed, const Weights& weights);
+  void respondByLevels(Columns columns, const Channel& channel, const SpeedField& speeds);
+  void respondAtCentre(Columns columns, const Channel& channel, const SpeedField& speeds);
 
   const Layout layout_;
   const FourierPlans& plans_;
   const Spectrum& testSpectrum_;
   const Spectrum& referenceSpectrum_;
+  const ChannelModel model_;
   Plane<float> frequency_;  ///< cycles per degree, laid out like a Spectrum
   std::vector<Plane<float>>
       radial_;        ///< amplitudes of bands 1 .. K+1 (at index band - 1), as many columns as they pass
   Plane<float> fan_;  ///< amplitudes of orientation fanOrientation_
-  int fanOrientation_ = -1;
+  std::optional<int> fanOrientation_;
   Plane<float> passed_;   ///< the channel's filter, but for the CSF's exponential
   Spectrum testColumns_;  ///< filtered, transformed along the columns
   Spectrum referenceColumns_;
   Responses responses_;
+  Responses means_;  ///< of size 0 for global contrast
 };
 
 }  // namespace promenade::aqm

@@ -26,12 +26,19 @@ double rising(double frequency, double half) {
   return std::sin(transitionAngle(frequency, half));
 }
 
-double squaredFan(double x, double y, int orientation) {
+double squaredFan(double x, double y, int orientation, int orientations) {
+  if (orientations == 1) {
+    return 1.0;
+  }
   const double squaredLength = x * x + y * y;
   if (squaredLength == 0.0) {
     return orientation == 0 ? 1.0 : 0.0;
   }
-  const double along = glm::dot(glm::dvec2(x, y), acrossBars(orientation));
+  const double along = glm::dot(glm::dvec2(x, y), acrossBars(orientation, orientations));
+  if (orientations != kOrientations) {
+    const double distance = std::acos(std::min(1.0, std::abs(along) / std::sqrt(squaredLength)));
+    return orientations * distance < std::numbers::pi ? 0.5 * (1.0 + std::cos(orientations * distance)) : 0.0;
+  }
   // 1/2 (1 + cos 6d) = cos^2(3d), and cos 3d = cos d (4 cos^2 d - 3), which is positive exactly where d < 30
   // degrees.
   const double squaredCosine = along * along / squaredLength;
@@ -41,13 +48,19 @@ double squaredFan(double x, double y, int orientation) {
 
 }  // namespace
 
-glm::dvec2 acrossBars(int orientation) {
-  assert(orientation >= 0 && orientation < kOrientations);
-  constexpr double kHalfRoot3 = 0.5 * std::numbers::sqrt3;
-  constexpr std::array<double, kOrientations> kCosines{1.0, kHalfRoot3, 0.5, 0.0, -0.5, -kHalfRoot3};
-  constexpr std::array<double, kOrientations> kSines{0.0, 0.5, kHalfRoot3, 1.0, kHalfRoot3, 0.5};
-  const auto l = static_cast<std::size_t>(orientation);
-  return {kCosines[l], kSines[l]};
+glm::dvec2 acrossBars(int orientation, int orientations) {
+  assert(orientation >= 0 && orientation < orientations);
+  // Reduced to the first quadrant, so that the axes and their mirror images are exact.
+  const int twice = 2 * orientation;
+  if (twice == orientations) {
+    return {0.0, 1.0};
+  }
+  if (twice > orientations) {
+    const glm::dvec2 mirrored = acrossBars(orientations - orientation, orientations);
+    return {-mirrored.x, mirrored.y};
+  }
+  const double angle = std::numbers::pi * orientation / orientations;
+  return {std::cos(angle), std::sin(angle)};
 }
 
 double signedFrequency(int index, int length) {
@@ -71,11 +84,11 @@ double basebandAmplitude(double frequency, int bands) {
   return falling(frequency, std::ldexp(1.0, -bands));
 }
 
-double fanAmplitude(const Frequency& frequency, int orientation) {
-  const double named = squaredFan(frequency.x, frequency.y, orientation);
+double fanAmplitude(const Frequency& frequency, int orientation, int orientations) {
+  const double named = squaredFan(frequency.x, frequency.y, orientation, orientations);
   const double otherX = frequency.xIsNyquist ? frequency.x : -frequency.x;
   const double otherY = frequency.yIsNyquist ? frequency.y : -frequency.y;
-  return std::sqrt(0.5 * (named + squaredFan(otherX, otherY, orientation)));
+  return std::sqrt(0.5 * (named + squaredFan(otherX, otherY, orientation, orientations)));
 }
 
 double bandCentre(int band) {

@@ -9,13 +9,14 @@
 
 namespace promenade::aqm {
 
+/// Daly's number of orientations.
 inline constexpr int kOrientations = 6;
 /// In the place of an orientation: the baseband's, which has none.
-inline constexpr int kUnoriented = kOrientations;
+inline constexpr int kUnoriented = -1;
 
-/// The unit vector at l * 30 degrees, l = 0..5: across the bars of a grating that orientation l is centred
-/// on. Exact on the axes.
-[[nodiscard]] glm::dvec2 acrossBars(int orientation);
+/// The unit vector at l * 180/n degrees, l = 0 .. n-1: across the bars of a grating that orientation l of n
+/// is centred on. Exact on the axes.
+[[nodiscard]] glm::dvec2 acrossBars(int orientation, int orientations = kOrientations);
 
 /// A spatial frequency as the discrete Fourier transform numbers it, cycles per pixel in [-1/2, 1/2]. On an
 /// even-sized image -1/2 and 1/2 are one and the same frequency (Nyquist's): name it -1/2 and say so.
@@ -39,11 +40,12 @@ struct Frequency {
 /// sqrt(mesa(f, 2^-K)): what the K bands leave over.
 [[nodiscard]] double basebandAmplitude(double frequency, int bands);
 
-/// sqrt(fan_l), l = 0..5: passes frequency vectors within 30 degrees of the direction l * 30 degrees (l = 0:
-/// along x, so vertical bars). The mean of the squares of both names of a Nyquist frequency, which keeps a
-/// filtered real image real. 1 in orientation 0 and 0 in the others at frequency 0, where every band is 0
-/// anyway.
-[[nodiscard]] double fanAmplitude(const Frequency& frequency, int orientation);
+/// sqrt(fan_l), l = 0 .. n-1: passes frequency vectors within 180/n degrees of the direction l * 180/n
+/// degrees (l = 0: along x, so vertical bars); fan_l = 1/2 (1 + cos(n d)). 1 for n = 1. The mean of the
+/// squares of both names of a Nyquist frequency, which keeps a filtered real image real. 1 in orientation 0
+/// and 0 in the others at frequency 0, where every band is 0 anyway.
+[[nodiscard]] double fanAmplitude(const Frequency& frequency, int orientation,
+                                  int orientations = kOrientations);
 
 /// Centre frequency of band k, 4/3 2^-k cycles per pixel.
 [[nodiscard]] double bandCentre(int band);

@@ -32,10 +32,14 @@ int bandCount(double pixelsPerDegree) {
 }
 
 Layout layoutOf(Size image, double pixelsPerDegree) {
+  return layoutOf(image, pixelsPerDegree, bandCount(pixelsPerDegree));
+}
+
+Layout layoutOf(Size image, double pixelsPerDegree, int bands) {
   Layout layout;
   layout.image = image;
   layout.pixelsPerDegree = pixelsPerDegree;
-  layout.bands = bandCount(pixelsPerDegree);
+  layout.bands = bands;
   layout.margin = 1 << (layout.bands - 1);
   const int unit = 1 << (layout.bands - 2);
   layout.padded = {paddedLength(image.width, layout.margin, unit),

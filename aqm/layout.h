@@ -23,6 +23,8 @@ struct Layout {
 
 /// Margin 2^(K-1) before the image; each side the smallest multiple of 2^(K-2), with no prime factor above 5
 /// beside it, that leaves a margin after the image too.
+[[nodiscard]] Layout layoutOf(Size image, double pixelsPerDegree, int bands);
+/// With bandCount() bands.
 [[nodiscard]] Layout layoutOf(Size image, double pixelsPerDegree);
 
 /// The sample that half-sample symmetric reflection (.. b a | a b .. y z | z y ..) puts at `index`, any

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 #include "aqm/channels.h"
 #include "aqm/contrast.h"
 #include "aqm/cortex.h"
+#include "aqm/filter_bank.h"
 #include "aqm/fourier.h"
 #include "aqm/layout.h"
+#include "aqm/local_mean.h"
 #include "aqm/masking.h"
 #include "aqm/pooling.h"
 #include "aqm/spectrum.h"
@@ -55,12 +59,30 @@ void checkVelocity(const VelocityMap& velocity) {
   }
 }
 
-void checkInputs(const LuminanceMap& test, const LuminanceMap& reference, const VelocityMap& velocity,
-                 const Settings& settings) {
+void checkSettings(const Settings& settings) {
   if (!(settings.pixelsPerDegree > 0.0 && settings.pixelsPerDegree <= kMostPixelsPerDegree)) {
     reject("pixels per degree: expected above 0 and at most ", kMostPixelsPerDegree, ", found ",
            settings.pixelsPerDegree);
   }
+  if (settings.radialBands != 0 &&
+      (settings.radialBands < kFewestRadialBands || settings.radialBands > kMostRadialBands)) {
+    reject("radial bands: expected ", kFewestRadialBands, " to ", kMostRadialBands, ", or 0, found ",
+           settings.radialBands);
+  }
+  if (settings.orientations < 1 || settings.orientations > kMostOrientations) {
+    reject("orientations: expected 1 to ", kMostOrientations, ", found ", settings.orientations);
+  }
+  if (!(settings.viewingDistanceMetres > 0.0 && std::isfinite(settings.viewingDistanceMetres))) {
+    reject("viewing distance: expected metres above 0, found ", settings.viewingDistanceMetres);
+  }
+  if (!(settings.gain > 0.0 && std::isfinite(settings.gain))) {
+    reject("gain: expected above 0, found ", settings.gain);
+  }
+}
+
+void checkInputs(const LuminanceMap& test, const LuminanceMap& reference, const VelocityMap& velocity,
+                 const Settings& settings) {
+  checkSettings(settings);
   if (test.empty()) {
     reject("test frame: expected at least one pixel, found ", test.width(), " x ", test.height());
   }
@@ -77,8 +99,37 @@ bool areEqual(const LuminanceMap& a, const LuminanceMap& b) {
   return std::ranges::equal(a.pixels(), b.pixels());
 }
 
-Result noDifference(Size size) {
-  return {JndMap(size), JndMap(size), ProbabilityMap(size)};
+Result noDifference(Size size, const Settings& settings) {
+  return {JndMap(size), JndMap(size), ProbabilityMap(size),
+          settings.signedMap == SignedMap::kYes ? SignedProbabilityMap(size) : SignedProbabilityMap()};
+}
+
+/// The channels that a bank of filters has: every band in every orientation, and the baseband.
+std::vector<int> orientationsOf(const FilterBank& filters) {
+  if (filters.orientations() == 1) {
+    return {kUnoriented};
+  }
+  std::vector<int> orientations(static_cast<std::size_t>(filters.orientations()));
+  std::iota(orientations.begin(), orientations.end(), 0);
+  return orientations;
+}
+
+/// Where, and how surely.
+Result judged(const DifferenceSum& differences, const Settings& settings) {
+  Result result;
+  result.jnd = sharpJnd(differences.powers());
+  if (settings.pooling == Pooling::kHalfDegree) {
+    const Plane<float> pooled = pooledPowers(differences.powers(), settings.pixelsPerDegree);
+    result.pooledJnd = pooledJnd(pooled);
+    result.probability = detectionProbability(pooled);
+  } else {
+    result.pooledJnd = result.jnd.clone();
+    result.probability = detectionProbability(differences.powers());
+  }
+  if (settings.signedMap == SignedMap::kYes) {
+    result.signedProbability = signedProbability(result.probability, differences.changes());
+  }
+  return result;
 }
 
 }  // namespace
@@ -88,7 +139,7 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   checkInputs(test, reference, velocity, settings);
   if (areEqual(test, reference)) {
     // What follows would give the same, later.
-    return noDifference(test.size());
+    return noDifference(test.size(), settings);
   }
   const double ppd = settings.pixelsPerDegree;
 
@@ -98,28 +149,39 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   const ContrastMap referenceContrast = contrast(reference, adaptation);
 
   // Frequencies.
-  const Layout layout = layoutOf(test.size(), ppd);
+  const Layout layout =
+      layoutOf(test.size(), ppd, settings.radialBands == 0 ? bandCount(ppd) : settings.radialBands);
   const FourierPlans plans(layout.padded);
   const Spectrum testSpectrum = spectrumOf(testContrast, layout, plans);
   const Spectrum referenceSpectrum = spectrumOf(referenceContrast, layout, plans);
 
-  // Channels (cortex filters and spatiovelocity CSF at the speed each of them sees), masked and summed.
-  ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum);
-  DifferenceSum differences(test.size());
-  const VelocityMap retinal = retinalVelocities(velocity);
-  for (int orientation = 0; orientation < kOrientations; ++orientation) {
-    const SpeedField speeds = speedField(retinal, test.size(), orientation);
+  // Channels (cortex filters and the CSF at the speed each of them sees), masked and summed.
+  const double squareDegrees = static_cast<double>(test.size().area()) / (ppd * ppd);
+  const ChannelModel model{FilterBank(settings.decomposition, layout.bands, settings.orientations),
+                           settings.csf, settings.csfPlacement,
+                           Adaptation{adaptation, squareDegrees, settings.viewingDistanceMetres},
+                           settings.gain};
+  ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum, model);
+  if (settings.contrast == ContrastKind::kLocal) {
+    bank.relateTo(localMeans(testSpectrum, layout, plans, adaptation),
+                  localMeans(referenceSpectrum, layout, plans, adaptation));
+  }
+  DifferenceSum differences(test.size(), layout.bands, settings.masking, settings.signedMap);
+  const VelocityMap retinal = retinalVelocities(velocity, settings.eye);
+  const auto speedsOf = [&](int orientation) {
+    return speedField(retinal, test.size(), orientation, settings.orientations, settings.eye);
+  };
+  for (const int orientation : orientationsOf(model.filters)) {
+    const SpeedField speeds = speedsOf(orientation);
     for (int band = 1; band <= layout.bands; ++band) {
       differences.add(bank.respond({band, orientation}, speeds), band);
     }
   }
   const int baseband = layout.bands + 1;
-  const SpeedField speeds = speedField(retinal, test.size(), kUnoriented);
+  const SpeedField speeds = speedsOf(kUnoriented);
   differences.add(bank.respond({baseband, kUnoriented}, speeds), baseband);
 
-  // Where, and how surely.
-  const Plane<float> pooled = pooledPowers(differences.powers(), ppd);
-  return {sharpJnd(differences.powers()), pooledJnd(pooled), detectionProbability(pooled)};
+  return judged(differences, settings);
 }
 
 double percentVisible(const ProbabilityMap& probability, const Mask& excluded) {

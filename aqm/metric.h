@@ -4,28 +4,26 @@
 // Eriksson et al. 1998 (masking, pooling), Myszkowski, Rokita, Tawara 1999, 2000 (AQM). docs/method.md has
 // the maths.
 
+#include "aqm/settings.h"
 #include "src/core/image.h"
 
 namespace promenade::aqm {
 
-/// Far finer than the eye resolves (60 cycles per degree); finer still would only cost memory.
-inline constexpr double kMostPixelsPerDegree = 2000.0;
-
-struct Settings {
-  double pixelsPerDegree = 40.0;  ///< of the display, > 0, <= kMostPixelsPerDegree
-};
+/// A detection probability in [-1, 1], negative where the test frame looks darker than the reference.
+using SignedProbabilityMap = Map<struct SignedProbabilityTag, float>;
 
 struct Result {
-  JndMap jnd;                  ///< J: sharp map, about 2 at threshold; see where, not whether
-  JndMap pooledJnd;            ///< Jp: pooled over half a degree; 1 at threshold
+  JndMap jnd;                  ///< J: sharp map; see where, not whether: about 2 at threshold if pooled
+  JndMap pooledJnd;            ///< Jp: pooled over half a degree; 1 at threshold. J without pooling
   ProbabilityMap probability;  ///< P = 1 - exp(-Jp^3.5)
+  SignedProbabilityMap signedProbability;  ///< P with the sign of the change; empty unless asked for
 };
 
 /// Compares two frames of the same size, luminance in cd/m2 (> 0). `velocity` (the same size, or empty for a
-/// static scene) is the image velocity in degrees per second. Symmetric: swapping the frames changes no bit.
-/// Equal frames give exactly 0. Throws InputError for a size mismatch, an empty frame, pixels per degree out
-/// of range, and for a luminance or a velocity that is not finite or a luminance <= 0 (the message names the
-/// pixel).
+/// static scene) is the image velocity in degrees per second. Symmetric unless one of the frames is the mask:
+/// swapping the frames then changes no bit (but the sign of the signed map). Equal frames give exactly 0.
+/// Throws InputError for a size mismatch, an empty frame, settings out of range, and for a luminance or a
+/// velocity that is not finite or a luminance <= 0 (the message names the pixel).
 [[nodiscard]] Result compare(const LuminanceMap& test, const LuminanceMap& reference,
                              const VelocityMap& velocity, const Settings& settings);
 

@@ -81,4 +81,13 @@ ProbabilityMap detectionProbability(const Plane<float>& pooled) {
   return mapped<ProbabilityMap>(pooled, [](float power) { return -std::expm1(-power); });
 }
 
+SignedProbabilityMap signedProbability(const ProbabilityMap& probability, const Plane<float>& changes) {
+  SignedProbabilityMap result(probability.size());
+  for (int y = 0; y < probability.height(); ++y) {
+    std::transform(probability.row(y).begin(), probability.row(y).end(), changes.row(y),
+                   result.row(y).begin(), [](float p, float change) { return std::copysign(p, change); });
+  }
+  return result;
+}
+
 }  // namespace promenade::aqm

@@ -3,6 +3,7 @@
 // and over half a degree around it (probability summation, Daly 1993, section 7; pooling, Eriksson et al.
 // 1998).
 
+#include "aqm/metric.h"
 #include "aqm/plane.h"
 #include "src/core/image.h"
 
@@ -20,5 +21,9 @@ namespace promenade::aqm {
 
 /// P = 1 - exp(-Jp^3.5): Jp = 1 is where P = 1 - 1/e = 0.632.
 [[nodiscard]] ProbabilityMap detectionProbability(const Plane<float>& pooled);
+
+/// The probability with the sign of the change: positive where the test frame looks brighter.
+[[nodiscard]] SignedProbabilityMap signedProbability(const ProbabilityMap& probability,
+                                                     const Plane<float>& changes);
 
 }  // namespace promenade::aqm

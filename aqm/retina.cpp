@@ -4,24 +4,29 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "aqm/cortex.h"
 #include "aqm/csf.h"
 
 namespace promenade::aqm {
 
-glm::dvec2 retinalVelocity(glm::dvec2 imageVelocity) {
-  const double image = glm::length(imageVelocity);
-  if (image == 0.0) {
-    return {0.0, 0.0};
-  }
-  const double eye = std::min(0.82 * image + kDriftSpeed, 80.0);
-  return imageVelocity * ((image - eye) / image);
+double slowestSpeed(Eye eye) {
+  return eye == Eye::kStabilised ? kDriftSpeed / 16.0 : kDriftSpeed;
 }
 
-double channelSpeed(glm::dvec2 retinal, int orientation) {
-  const double speed = orientation == kUnoriented ? glm::length(retinal)
-                                                  : std::abs(glm::dot(retinal, acrossBars(orientation)));
-  return std::max(kDriftSpeed, speed);
+glm::dvec2 retinalVelocity(glm::dvec2 imageVelocity, Eye eye) {
+  const double image = glm::length(imageVelocity);
+  if (eye != Eye::kTracking || image == 0.0) {
+    return imageVelocity;
+  }
+  const double pursuit = std::min(0.82 * image + kDriftSpeed, 80.0);
+  return imageVelocity * ((image - pursuit) / image);
+}
+
+double channelSpeed(glm::dvec2 retinal, glm::dvec2 across, double slowest) {
+  return std::max(slowest, std::abs(glm::dot(retinal, across)));
+}
+
+double channelSpeed(glm::dvec2 retinal, double slowest) {
+  return std::max(slowest, glm::length(retinal));
 }
 
 }  // namespace promenade::aqm

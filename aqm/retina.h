@@ -5,14 +5,23 @@
 
 #include <glm/vec2.hpp>
 
+#include "aqm/settings.h"
+
 namespace promenade::aqm {
 
-/// Velocities in degrees per second. The eye's speed min(0.82 v + 0.15, 80) is taken off along the direction
-/// of motion (the result may point backwards: only the magnitude of what follows matters).
-[[nodiscard]] glm::dvec2 retinalVelocity(glm::dvec2 imageVelocity);
+/// The slowest that anything moves over the retina, degrees per second > 0: the drift of 0.15, or, where not
+/// even that is left (kStabilised), a sixteenth of it: a grating of 4 cycles per degree then needs 2.2 times
+/// the contrast, and Kelly's formula is not measured further down.
+[[nodiscard]] double slowestSpeed(Eye eye);
 
-/// The speed that a channel of the given orientation (0..5) sees: that of the motion across its bars. For
-/// kUnoriented, the baseband, that of the whole motion. At least 0.15.
-[[nodiscard]] double channelSpeed(glm::dvec2 retinal, int orientation);
+/// Velocities in degrees per second. A tracking eye's speed min(0.82 v + 0.15, 80) is taken off along the
+/// direction of motion (the result may point backwards: only the magnitude of what follows matters).
+[[nodiscard]] glm::dvec2 retinalVelocity(glm::dvec2 imageVelocity, Eye eye = Eye::kTracking);
+
+/// The speed that a channel of the given direction (across its bars, a unit vector) sees: that of the motion
+/// along this direction. At least `slowest`.
+[[nodiscard]] double channelSpeed(glm::dvec2 retinal, glm::dvec2 across, double slowest);
+/// For a channel without orientation: that of the whole motion.
+[[nodiscard]] double channelSpeed(glm::dvec2 retinal, double slowest);
 
 }  // namespace promenade::aqm

@@ -10,42 +10,54 @@
 
 namespace promenade::aqm {
 
-double levelSpeed(int level) {
-  return std::ldexp(kDriftSpeed, level);
+double SpeedLevels::speed(int level) const {
+  return std::ldexp(slowest, level);
 }
 
-VelocityMap retinalVelocities(const VelocityMap& imageVelocity) {
+SpeedLevels speedLevels(Eye eye) {
+  const double slowest = slowestSpeed(eye);
+  return {slowest, 13 + static_cast<int>(std::lround(std::log2(kDriftSpeed / slowest)))};
+}
+
+VelocityMap retinalVelocities(const VelocityMap& imageVelocity, Eye eye) {
   VelocityMap retinal(imageVelocity.size());
   tbb::parallel_for(0, retinal.height(), [&](int y) {
     for (int x = 0; x < retinal.width(); ++x) {
-      retinal(x, y) = glm::vec2(retinalVelocity(glm::dvec2(imageVelocity(x, y))));
+      retinal(x, y) = glm::vec2(retinalVelocity(glm::dvec2(imageVelocity(x, y)), eye));
     }
   });
   return retinal;
 }
 
-SpeedField speedField(const VelocityMap& retinal, Size image, int orientation) {
+SpeedField speedField(const VelocityMap& retinal, Size image, int orientation, int orientations, Eye eye) {
   SpeedField field;
+  field.steps = speedLevels(eye);
+  const double slowest = field.steps.slowest;
+  const double fastest = field.steps.speed(field.steps.last);
+  const bool isOriented = orientation != kUnoriented;
+  const glm::dvec2 across = isOriented ? acrossBars(orientation, orientations) : glm::dvec2(0.0);
   for (Plane<float>* plane : {&field.speed, &field.octave, &field.gain}) {
     *plane = Plane<float>(image.width, image.height);
   }
   field.levelsOfRow.resize(static_cast<std::size_t>(image.height));
-  const auto driftGain = static_cast<float>(speedGain(kDriftSpeed));
+  const auto slowestGain = static_cast<float>(speedGain(slowest));
   tbb::parallel_for(0, image.height, [&](int y) {
     std::uint32_t levels = 0;
     for (int x = 0; x < image.width; ++x) {
-      double speed = kDriftSpeed;
+      double speed = slowest;
       if (!retinal.empty()) {
-        speed = std::min(channelSpeed(glm::dvec2(retinal(x, y)), orientation), levelSpeed(kFastestLevel));
+        const glm::dvec2 velocity(retinal(x, y));
+        speed = std::min(
+            isOriented ? channelSpeed(velocity, across, slowest) : channelSpeed(velocity, slowest), fastest);
       }
       field.speed.row(y)[x] = static_cast<float>(speed);
-      if (speed == kDriftSpeed) {
+      if (speed == slowest) {
         // By far the commonest: where nothing moves, and wherever the motion is along the bars.
-        field.gain.row(y)[x] = driftGain;
+        field.gain.row(y)[x] = slowestGain;
         levels |= 1u;
         continue;
       }
-      const double octave = std::log2(speed / kDriftSpeed);
+      const double octave = std::log2(speed / slowest);
       const int below = static_cast<int>(octave);
       field.octave.row(y)[x] = static_cast<float>(octave);
       field.gain.row(y)[x] = static_cast<float>(speedGain(speed));

@@ -27,6 +27,10 @@ ContrastMap contrastOf(Size size, const std::function<double(int, int)>& contras
   return map;
 }
 
+ChannelModel modelOf(const Layout& layout) {
+  return {FilterBank(Decomposition::kCortexEnergy, layout.bands, kOrientations)};
+}
+
 double amplitude(const Plane<float>& plane) {
   double result = 0.0;
   for (int y = 0; y < plane.height(); ++y) {
@@ -54,7 +58,7 @@ class StaticGrating : public ::testing::Test {
 // 1/16 cycles per pixel = 2 cycles per degree, along x: only orientation 0, and of the octave bands only
 // 2/3 2^-k < 1/16 < 8/3 2^-k, so k = 4 and 5. G S(2, 0.15) H is the gain.
 TEST_F(StaticGrating, IsSeenByTheTwoBandsAroundItsFrequencyInItsOrientation) {
-  ChannelBank bank(layout_, plans_, grating_, flat_);
+  ChannelBank bank(layout_, plans_, grating_, flat_, modelOf(layout_));
   for (int band = 1; band <= layout_.bands; ++band) {
     for (int l = 0; l < kOrientations; ++l) {
       const Responses& responses = bank.respond({band, l}, still_);
@@ -71,8 +75,8 @@ TEST_F(StaticGrating, IsSeenByTheTwoBandsAroundItsFrequencyInItsOrientation) {
 TEST_F(StaticGrating, GivesTheSameBitsInBothFrames) {
   const Spectrum again =
       spectrumOf(contrastOf(size_, [](int x, int) { return 0.01 * bars(x); }), layout_, plans_);
-  ChannelBank bank(layout_, plans_, grating_, again);
-  DifferenceSum differences(size_);
+  ChannelBank bank(layout_, plans_, grating_, again, modelOf(layout_));
+  DifferenceSum differences(size_, layout_.bands, Masking{});
   for (int band = 1; band <= layout_.bands; ++band) {
     const Responses& responses = bank.respond({band, 0}, still_);
     for (int y = 0; y < size_.height; ++y) {
@@ -96,7 +100,7 @@ TEST(ChannelBank, GivesTheCsfAtTheBandsCentreFrequencyForAnySpeed) {
   // Given as a spectrum, because no reflected image of 64 pixels has this period.
   Spectrum grating(layout.padded.height, layout.spectrumColumns());
   grating.row(16)[0] = static_cast<float>(0.01 * 0.5 * 96.0 * 96.0);
-  ChannelBank bank(layout, plans, grating, grating);
+  ChannelBank bank(layout, plans, grating, grating, modelOf(layout));
   for (const double speed : {0.15, 0.2, 0.25, 0.9, 4.4, 10.0}) {
     VelocityMap retinal(size, {static_cast<float>(speed), 0.0f});
     const Responses& responses = bank.respond({3, 0}, speedField(retinal, size, 0));

@@ -60,6 +60,39 @@ Frequency frequencyOf(int ix, int iy, Size size) {
           2 * iy == size.height};
 }
 
+// At 45 degrees from the axis of a fan of 4, whose half-width at zero is 45 degrees: 0; at 22.5: cos(4
+// * 22.5) = 0, so one half, shared with its neighbour. Of 2: 1/2 (1 + cos 90) = one half at 45 degrees.
+TEST(FanAmplitude, OfAnyNumberOfOrientationsHasSquaresThatSumToOne) {
+  const auto squared = [](double degrees, int l, int n) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const double a = fanAmplitude({0.2 * std::cos(angle), 0.2 * std::sin(angle)}, l, n);
+    return a * a;
+  };
+  EXPECT_NEAR(squared(45.0, 0, 4), 0.0, 1e-12);
+  EXPECT_NEAR(squared(22.5, 0, 4), 0.5, 1e-12);
+  EXPECT_NEAR(squared(22.5, 1, 4), 0.5, 1e-12);
+  EXPECT_NEAR(squared(45.0, 1, 2), 0.5, 1e-12);
+  EXPECT_EQ(squared(77.0, 0, 1), 1.0);
+  for (const int n : {1, 2, 3, 4, 5, 6, 8, 12}) {
+    for (double degrees = 0.0; degrees < 360.0; degrees += 7.0) {
+      double sum = 0.0;
+      for (int l = 0; l < n; ++l) {
+        sum += squared(degrees, l, n);
+      }
+      ASSERT_NEAR(sum, 1.0, 1e-12) << n << " at " << degrees;
+    }
+  }
+}
+
+TEST(AcrossBars, IsExactOnTheAxesAndMirrored) {
+  EXPECT_EQ(acrossBars(0), glm::dvec2(1.0, 0.0));
+  EXPECT_EQ(acrossBars(3), glm::dvec2(0.0, 1.0));
+  EXPECT_EQ(acrossBars(2, 4), glm::dvec2(0.0, 1.0));
+  EXPECT_EQ(acrossBars(5).x, -acrossBars(1).x);
+  EXPECT_EQ(acrossBars(5).y, acrossBars(1).y);
+  EXPECT_NEAR(acrossBars(1, 4).x, std::sqrt(0.5), 1e-15);
+}
+
 double squaredFilter(int ix, int iy, Size size, int band, int orientation) {
   const Frequency f = frequencyOf(ix, iy, size);
   const double amplitude = bandAmplitude(std::hypot(f.x, f.y), band) * fanAmplitude(f, orientation);

@@ -51,5 +51,60 @@ TEST(Sensitivity, PeaksAtLowerFrequenciesTheFasterTheMotion) {
   EXPECT_LT(2.0 / frequencyDecay(20.0), 0.5);
 }
 
+struct Peak {
+  double value = 0.0;
+  double cyclesPerDegree = 0.0;
+};
+
+Peak peakOf(const Adaptation& adaptation) {
+  Peak peak;
+  for (double rho = 0.5; rho < 20.0; rho += 0.005) {
+    const double s = dalySensitivity(rho, 0.0, adaptation);
+    if (s > peak.value) {
+      peak = {s, rho};
+    }
+  }
+  return peak;
+}
+
+// Numbers of the published formula.
+TEST(DalySensitivity, PeaksWhereDalysDoes) {
+  const Peak wide = peakOf({100.0, 64.0, 0.5});
+  EXPECT_NEAR(wide.value, 236.5, 0.1);
+  EXPECT_NEAR(wide.cyclesPerDegree, 3.20, 0.02);
+  const Peak narrow = peakOf({100.0, 1.0, 0.5});
+  EXPECT_NEAR(narrow.value, 171.8, 0.1);
+  EXPECT_NEAR(narrow.cyclesPerDegree, 4.71, 0.02);
+  const Peak dim = peakOf({30.0, 64.0, 0.5});
+  EXPECT_NEAR(dim.value, 209.7, 0.1);
+  EXPECT_NEAR(dim.cyclesPerDegree, 2.86, 0.02);
+}
+
+TEST(DalySensitivity, HasTheObliqueEffect) {
+  const Adaptation adaptation{100.0, 64.0, 0.5};
+  const double upright = dalySensitivity(8.0, 0.0, adaptation);
+  EXPECT_NEAR(dalySensitivity(8.0, std::atan(1.0), adaptation) / upright, 0.72, 0.005);
+  EXPECT_NEAR(dalySensitivity(8.0, 2.0 * std::atan(1.0), adaptation), upright, 1e-9);
+  EXPECT_EQ(dalySensitivity(0.0, 0.0, adaptation), 0.0);
+}
+
+// At 10 degrees from the centre of gaze the frequency axis shrinks by 1 / (1 + 2.4): 8 cycles per degree are
+// seen as 27.2 there.
+TEST(DalySensitivity, FallsTowardsThePeripheryAndInTheDark) {
+  const Adaptation centre{100.0, 64.0, 0.5, 0.0};
+  const Adaptation aside{100.0, 64.0, 0.5, 10.0};
+  // i^2 goes with rho in S1, so that the area term differs; far above 1/i it does not matter.
+  EXPECT_NEAR(dalySensitivity(8.0, 0.0, aside), dalySensitivity(27.2, 0.0, centre), 1e-9);
+  EXPECT_LT(dalySensitivity(8.0, 0.0, {0.1, 64.0, 0.5}), 0.2 * dalySensitivity(8.0, 0.0, centre));
+}
+
+// 2.6 (0.0192 + 0.114 * 8) exp(-(0.912)^1.1) = 2.6 * 0.9312 * exp(-0.90363) = 0.98086.
+TEST(MannosSakrisonSensitivity, PeaksNearEightCyclesPerDegree) {
+  EXPECT_NEAR(mannosSakrisonSensitivity(8.0), 250.0 * 0.98086, 0.05);
+  EXPECT_LT(mannosSakrisonSensitivity(7.0), mannosSakrisonSensitivity(8.0));
+  EXPECT_LT(mannosSakrisonSensitivity(9.0), mannosSakrisonSensitivity(8.0));
+  EXPECT_EQ(mannosSakrisonSensitivity(0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace promenade::aqm

@@ -66,7 +66,7 @@ Responses responsesOf(Size size, float test, float reference) {
 // The low-pass of a uniform elevation is that elevation, to the border and on any size.
 TEST(DifferenceSum, DividesByTheLesserElevation) {
   for (const Size size : {Size{1, 1}, Size{1, 9}, Size{9, 1}, Size{41, 17}}) {
-    DifferenceSum sum(size);
+    DifferenceSum sum(size, 6, Masking{});
     sum.add(responsesOf(size, 3.0f, -2.0f), 4);
     sum.add(responsesOf(size, 0.5f, 0.0f), 1);
     const double expected = std::pow(5.0 / thresholdElevation(2.0), 3.5) + std::pow(0.5, 3.5);
@@ -78,6 +78,54 @@ TEST(DifferenceSum, DividesByTheLesserElevation) {
   }
 }
 
+// k1 (k2 m)^s at m = 2: 0.0153 * 785 = 12.01 with slope 1; 0.0153 * 785^0.7 = 0.0153 * 106.27 = 1.6260 with
+// 0.7; 0.0153 * 785^0.8 = 0.0153 * 206.98 = 3.1668 with 0.8. T = (1 + that^4)^(1/4).
+TEST(ThresholdElevation, OfDalyHasALowerSlopeAtLowFrequencies) {
+  EXPECT_NEAR(thresholdElevation(2.0, Elevation::kDaly, dalySlope(1, 6)), 12.0107, 2e-3);
+  EXPECT_NEAR(thresholdElevation(-2.0, Elevation::kDaly, dalySlope(5, 6)), 12.0107, 2e-3);
+  EXPECT_NEAR(thresholdElevation(2.0, Elevation::kDaly, dalySlope(6, 6)), 3.1746, 2e-3);
+  EXPECT_NEAR(thresholdElevation(2.0, Elevation::kDaly, dalySlope(7, 6)), 1.6813, 2e-3);
+  EXPECT_EQ(thresholdElevation(5.0, Elevation::kNone), 1.0);
+}
+
+TEST(DifferenceSum, IsElevatedByTheFrameThatIsTheMask) {
+  const Size size{9, 4};
+  const auto powerWith = [&](Elevation elevation, MaskSource source, int band) {
+    DifferenceSum sum(size, 6, Masking{elevation, MaskExtent::kChannel, source});
+    sum.add(responsesOf(size, 3.0f, 1.0f), band);
+    return static_cast<double>(sum.powers().row(2)[5]);
+  };
+  const auto expected = [](double elevation) { return std::pow(2.0 / elevation, 3.5); };
+  for (const auto& [elevation, band] : {std::pair(Elevation::kUnitKnee, 2), std::pair(Elevation::kDaly, 7)}) {
+    const double test = expected(thresholdElevation(3.0, elevation, dalySlope(band, 6)));
+    const double reference = expected(thresholdElevation(1.0, elevation, dalySlope(band, 6)));
+    EXPECT_NEAR(powerWith(elevation, MaskSource::kTest, band), test, 1e-5 * test);
+    EXPECT_NEAR(powerWith(elevation, MaskSource::kReference, band), reference, 1e-5 * reference);
+    EXPECT_NEAR(powerWith(elevation, MaskSource::kMutual, band), reference, 1e-5 * reference);
+  }
+  EXPECT_NEAR(powerWith(Elevation::kNone, MaskSource::kMutual, 3), expected(1.0), 1e-5 * expected(1.0));
+}
+
+TEST(DifferenceSum, OfAPointDoesNotSpreadItsElevation) {
+  const Size size{31, 3};
+  Responses responses = responsesOf(size, 1.0f, 0.0f);
+  responses.reference.row(1)[15] = 10.0f;
+  DifferenceSum sum(size, 6, Masking{Elevation::kUnitKnee, MaskExtent::kPoint, MaskSource::kReference});
+  sum.add(responses, 3);
+  EXPECT_FLOAT_EQ(sum.powers().row(1)[14], 1.0f);
+  EXPECT_FLOAT_EQ(sum.powers().row(0)[15], 1.0f);
+  const double there = std::pow(9.0 / thresholdElevation(10.0), 3.5);
+  EXPECT_NEAR(sum.powers().row(1)[15], there, 1e-5 * there);
+}
+
+TEST(DifferenceSum, KeepsTheSignOfTheChangeIfAsked) {
+  DifferenceSum sum({5, 2}, 6, Masking{}, SignedMap::kYes);
+  sum.add(responsesOf({5, 2}, 1.0f, 3.0f), 3);
+  sum.add(responsesOf({5, 2}, 0.5f, 0.0f), 4);
+  EXPECT_EQ(sum.changes().row(1)[4], -1.5f);
+  EXPECT_EQ(DifferenceSum({5, 2}, 6, Masking{}).changes().width(), 0);
+}
+
 // sigma = 0.375 * 2^3 = 3 pixels, so a lone response of 10 at the centre elevates a neighbour d pixels away
 // by w0 w_d (T(10) - 1).
 TEST(DifferenceSum, SpreadsTheElevationOverTheChannelsExtent) {
@@ -85,7 +133,7 @@ TEST(DifferenceSum, SpreadsTheElevationOverTheChannelsExtent) {
   Responses responses = responsesOf(size, 1.0f, 0.0f);
   responses.test.row(15)[15] = 10.0f;
   responses.reference.row(15)[15] = 10.0f;
-  DifferenceSum sum(size);
+  DifferenceSum sum(size, 6, Masking{});
   sum.add(responses, 3);
   const GaussianKernel kernel(3.0);
   const double weight = static_cast<double>(kernel.weights()[0]) * static_cast<double>(kernel.weights()[4]);
@@ -98,7 +146,7 @@ TEST(DifferenceSum, SpreadsTheElevationOverTheChannelsExtent) {
 }
 
 TEST(DifferenceSum, IsZeroWhereTheResponsesAreEqual) {
-  DifferenceSum sum({20, 3});
+  DifferenceSum sum({20, 3}, 6, Masking{});
   sum.add(responsesOf({20, 3}, 123.456f, 123.456f), 6);
   for (int x = 0; x < 20; ++x) {
     EXPECT_EQ(sum.powers().row(1)[x], 0.0f);

@@ -14,10 +14,15 @@ namespace {
 
 using Speeds = std::array<double, 7>;  // orientations 0..5, then the baseband
 
+double speedOf(glm::dvec2 retinal, int orientation) {
+  return orientation == kOrientations ? channelSpeed(retinal, kDriftSpeed)
+                                      : channelSpeed(retinal, acrossBars(orientation), kDriftSpeed);
+}
+
 void expectSpeeds(glm::dvec2 imageVelocity, const Speeds& expected) {
   const glm::dvec2 retinal = retinalVelocity(imageVelocity);
-  for (int l = 0; l <= kUnoriented; ++l) {
-    EXPECT_NEAR(channelSpeed(retinal, l), expected[static_cast<std::size_t>(l)], 1e-4) << "orientation " << l;
+  for (int l = 0; l <= kOrientations; ++l) {
+    EXPECT_NEAR(speedOf(retinal, l), expected[static_cast<std::size_t>(l)], 1e-4) << "orientation " << l;
   }
 }
 
@@ -44,9 +49,35 @@ TEST(ChannelSpeed, IsWhatTheEyesFastestPursuitLeavesOver) {
 }
 
 TEST(ChannelSpeed, DoesNotDependOnTheSignOfTheMotion) {
-  for (int l = 0; l <= kUnoriented; ++l) {
-    EXPECT_EQ(channelSpeed(retinalVelocity({3.0, -40.0}), l), channelSpeed(retinalVelocity({-3.0, 40.0}), l));
+  for (int l = 0; l <= kOrientations; ++l) {
+    EXPECT_EQ(speedOf(retinalVelocity({3.0, -40.0}), l), speedOf(retinalVelocity({-3.0, 40.0}), l));
   }
+}
+
+// An eye that does not follow gets the whole motion; one whose drift is taken away as well, nothing else.
+TEST(RetinalVelocity, IsTheImagesWhereTheEyeDoesNotFollow) {
+  EXPECT_EQ(retinalVelocity({3.0, -4.0}, Eye::kFixating), glm::dvec2(3.0, -4.0));
+  EXPECT_EQ(retinalVelocity({3.0, -4.0}, Eye::kStabilised), glm::dvec2(3.0, -4.0));
+  EXPECT_EQ(slowestSpeed(Eye::kTracking), 0.15);
+  EXPECT_EQ(slowestSpeed(Eye::kFixating), 0.15);
+  EXPECT_EQ(slowestSpeed(Eye::kStabilised), 0.15 / 16.0);
+}
+
+// 0.15 / 16 doubles 17 times to 1228.8.
+TEST(SpeedField, OfAStabilisedEyeStartsSlowerAndEndsAtTheSameSpeed) {
+  const SpeedLevels tracking = speedLevels(Eye::kTracking);
+  const SpeedLevels stabilised = speedLevels(Eye::kStabilised);
+  EXPECT_EQ(tracking.last, 13);
+  EXPECT_EQ(stabilised.last, 17);
+  EXPECT_DOUBLE_EQ(tracking.speed(13), 1228.8);
+  EXPECT_DOUBLE_EQ(stabilised.speed(17), 1228.8);
+  const SpeedField still = speedField({}, {2, 1}, 0, kOrientations, Eye::kStabilised);
+  EXPECT_FLOAT_EQ(still.speed.row(0)[1], 0.009375f);
+  EXPECT_EQ(still.levels, 1u);
+  // 0.15 = 2^4 times that.
+  const SpeedField drifting =
+      speedField(VelocityMap(1, 1, {0.15f, 0.0f}), {1, 1}, 0, kOrientations, Eye::kStabilised);
+  EXPECT_NEAR(drifting.octave.row(0)[0], 4.0, 1e-6);
 }
 
 TEST(SpeedField, IsAllDriftWhereNothingMoves) {
@@ -66,11 +97,11 @@ TEST(SpeedField, NamesTheLevelsThatHaveAWeight) {
   retinal(0, 1) = {0.0f, 50.0f};  // along the bars: level 0
   retinal(0, 2) = {1e30f, 0.0f};  // as the fastest
   const SpeedField field = speedField(retinal, {2, 3}, 0);
-  EXPECT_EQ(field.levelsOfRow, (std::vector<std::uint32_t>{0b1101u, 1u, 1u | 1u << kFastestLevel}));
-  EXPECT_EQ(field.levels, 0b1101u | 1u << kFastestLevel);
+  EXPECT_EQ(field.levelsOfRow, (std::vector<std::uint32_t>{0b1101u, 1u, 1u | 1u << 13}));
+  EXPECT_EQ(field.levels, 0b1101u | 1u << 13);
   EXPECT_NEAR(field.octave.row(0)[1], 2.736966, 1e-5);
-  EXPECT_EQ(levelSpeed(3), 1.2);
-  EXPECT_FLOAT_EQ(field.speed.row(2)[0], static_cast<float>(levelSpeed(kFastestLevel)));
+  EXPECT_EQ(field.steps.speed(3), 1.2);
+  EXPECT_FLOAT_EQ(field.speed.row(2)[0], static_cast<float>(field.steps.speed(13)));
 }
 
 TEST(SpeedField, TakesTheEyesPursuitOff) {
