@@ -20,4 +20,7 @@ using ContrastMap = Map<struct ContrastTag, float>;
 /// C = (R(L) - R(Lm)) / (Lm R'(Lm)) with Lm = `adaptation` > 0.
 [[nodiscard]] ContrastMap contrast(const LuminanceMap& luminance, double adaptation);
 
+/// The same in single precision, eight pixels at a time: within 2e-6 + 2e-6 C.
+[[nodiscard]] ContrastMap fastContrast(const LuminanceMap& luminance, double adaptation);
+
 }  // namespace promenade::aqm

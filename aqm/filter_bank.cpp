@@ -59,7 +59,7 @@ double FilterBank::fan(const Frequency& frequency, int orientation) const {
     return 1.0;
   }
   const double amplitude = fanAmplitude(frequency, orientation, orientations_);
-  return decomposition_ == Decomposition::kCortexEnergy ? amplitude : amplitude * amplitude;
+  return fansAreSquared() ? amplitude * amplitude : amplitude;
 }
 
 double FilterBank::centre(int band) const {

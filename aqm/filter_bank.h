@@ -19,6 +19,8 @@ class FilterBank {
 
   /// Bands 1 (finest) .. K, and K + 1, the baseband. Frequencies in cycles per pixel.
   [[nodiscard]] double radial(const Frequency& frequency, int band) const;
+  /// Whether fan() is fanAmplitude() squared (filters sum to 1) or as it is (their squares do).
+  [[nodiscard]] bool fansAreSquared() const { return decomposition_ != Decomposition::kCortexEnergy; }
   /// Orientations 0 .. n - 1, or kUnoriented: 1.
   [[nodiscard]] double fan(const Frequency& frequency, int orientation) const;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aqm/gaussian.h"
+#include "aqm/masking_rows.h"
 
 namespace promenade::aqm {
 namespace {
@@ -30,17 +31,24 @@ V bounded(V response) {
 constexpr double kDalyK1 = 0.0153;
 constexpr double kDalyK2 = 392.5;
 
+void addChanges(const float* test, const float* reference, float* sums, int count) {
+  for (int x = 0; x < count; ++x) {
+    sums[x] += test[x] - reference[x];
+  }
+}
+
+}  // namespace
+
 void elevateByUnitKnee(const float* responses, float* elevations, int count) {
   const Lanes tag;
   for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(tag))) {
-    const auto response = bounded(hn::Load(tag, responses + x));
+    const auto response = bounded(hn::LoadU(tag, responses + x));
     const auto square = hn::Mul(response, response);
     const auto fourth = hn::Mul(square, square);
     hn::StoreU(hn::Sqrt(hn::Sqrt(hn::Add(hn::Set(tag, 1.0f), fourth))), tag, elevations + x);
   }
 }
 
-/// sums += (|test - reference| / min(elevations))^3.5
 void addDifferences(const float* test, const float* reference, const float* testElevation,
                     const float* referenceElevation, float* sums, int count) {
   const Lanes tag;
@@ -54,14 +62,6 @@ void addDifferences(const float* test, const float* reference, const float* test
     hn::Store(hn::Add(hn::Load(tag, sums + x), power), tag, sums + x);
   }
 }
-
-void addChanges(const float* test, const float* reference, float* sums, int count) {
-  for (int x = 0; x < count; ++x) {
-    sums[x] += test[x] - reference[x];
-  }
-}
-
-}  // namespace
 
 double dalySlope(int band, int bands) {
   return band > bands ? 0.7 : (band == bands ? 0.8 : 1.0);

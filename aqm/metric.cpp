@@ -1,7 +1,12 @@
 #include "aqm/metric.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <vector>
@@ -9,6 +14,7 @@
 #include "aqm/channels.h"
 #include "aqm/contrast.h"
 #include "aqm/cortex.h"
+#include "aqm/fast_bank.h"
 #include "aqm/filter_bank.h"
 #include "aqm/fourier.h"
 #include "aqm/layout.h"
@@ -17,6 +23,7 @@
 #include "aqm/pooling.h"
 #include "aqm/spectrum.h"
 #include "aqm/speed_field.h"
+#include "aqm/speed_steps.h"
 #include "src/core/errors.h"
 
 namespace promenade::aqm {
@@ -36,27 +43,43 @@ void checkSize(const char* what, Size found, Size expected) {
   }
 }
 
-void checkLuminance(const char* what, const LuminanceMap& luminance) {
-  for (int y = 0; y < luminance.height(); ++y) {
-    for (int x = 0; x < luminance.width(); ++x) {
-      const float value = luminance(x, y);
-      if (!(value > 0.0f && std::isfinite(value))) {
-        reject(what, ": pixel (", x, ", ", y, "): expected a finite luminance above 0 cd/m2, found ", value);
+/// Calls complain(x, y) at the first pixel, row by row, that is not good.
+template <class Map, class Good, class Complain>
+void checkPixels(const Map& map, const Good& isGood, const Complain& complain) {
+  std::atomic<int> firstBad = map.height();
+  tbb::parallel_for(tbb::blocked_range<int>(0, map.height(), 16), [&](const tbb::blocked_range<int>& range) {
+    for (int y = range.begin(); y != range.end(); ++y) {
+      bool good = true;
+      for (const auto& value : map.row(y)) {
+        good = good & isGood(value);
       }
+      for (int first = firstBad; !good && y < first && !firstBad.compare_exchange_weak(first, y);) {
+      }
+    }
+  });
+  for (int x = 0; firstBad < map.height() && x < map.width(); ++x) {
+    if (!isGood(map(x, firstBad))) {
+      complain(x, firstBad.load());
     }
   }
 }
 
+void checkLuminance(const char* what, const LuminanceMap& luminance) {
+  checkPixels(
+      luminance, [](float value) { return (value > 0.0f) & (value <= std::numeric_limits<float>::max()); },
+      [&](int x, int y) {
+        reject(what, ": pixel (", x, ", ", y, "): expected a finite luminance above 0 cd/m2, found ",
+               luminance(x, y));
+      });
+}
+
 void checkVelocity(const VelocityMap& velocity) {
-  for (int y = 0; y < velocity.height(); ++y) {
-    for (int x = 0; x < velocity.width(); ++x) {
-      const glm::vec2 value = velocity(x, y);
-      if (!std::isfinite(value.x) || !std::isfinite(value.y)) {
-        reject("velocity: pixel (", x, ", ", y, "): expected finite degrees per second, found (", value.x,
-               ", ", value.y, ")");
-      }
-    }
-  }
+  checkPixels(
+      velocity, [](glm::vec2 value) { return std::isfinite(value.x) & std::isfinite(value.y); },
+      [&](int x, int y) {
+        reject("velocity: pixel (", x, ", ", y, "): expected finite degrees per second, found (",
+               velocity(x, y).x, ", ", velocity(x, y).y, ")");
+      });
 }
 
 void checkSettings(const Settings& settings) {
@@ -115,19 +138,19 @@ std::vector<int> orientationsOf(const FilterBank& filters) {
 }
 
 /// Where, and how surely.
-Result judged(const DifferenceSum& differences, const Settings& settings) {
+Result judged(const Plane<float>& powers, const Plane<float>& changes, const Settings& settings) {
   Result result;
-  result.jnd = sharpJnd(differences.powers());
+  result.jnd = sharpJnd(powers);
   if (settings.pooling == Pooling::kHalfDegree) {
-    const Plane<float> pooled = pooledPowers(differences.powers(), settings.pixelsPerDegree);
+    const Plane<float> pooled = pooledPowers(powers, settings.pixelsPerDegree);
     result.pooledJnd = pooledJnd(pooled);
     result.probability = detectionProbability(pooled);
   } else {
     result.pooledJnd = result.jnd.clone();
-    result.probability = detectionProbability(differences.powers());
+    result.probability = detectionProbability(powers);
   }
   if (settings.signedMap == SignedMap::kYes) {
-    result.signedProbability = signedProbability(result.probability, differences.changes());
+    result.signedProbability = signedProbability(result.probability, changes);
   }
   return result;
 }
@@ -145,8 +168,10 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
 
   // The retina's response, as contrast.
   const double adaptation = adaptationLuminance(test, reference);
-  const ContrastMap testContrast = contrast(test, adaptation);
-  const ContrastMap referenceContrast = contrast(reference, adaptation);
+  const bool isFast = settings.execution == Execution::kFast && isCovered(settings);
+  const auto contrastOf = isFast ? fastContrast : contrast;
+  const ContrastMap testContrast = contrastOf(test, adaptation);
+  const ContrastMap referenceContrast = contrastOf(reference, adaptation);
 
   // Frequencies.
   const Layout layout =
@@ -155,10 +180,17 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   const Spectrum testSpectrum = spectrumOf(testContrast, layout, plans);
   const Spectrum referenceSpectrum = spectrumOf(referenceContrast, layout, plans);
 
+  const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
+
+  if (isFast) {
+    const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
+    return judged(fastPowers(layout, testSpectrum, referenceSpectrum, filters, settings, speeds), {},
+                  settings);
+  }
+
   // Channels (cortex filters and the CSF at the speed each of them sees), masked and summed.
   const double squareDegrees = static_cast<double>(test.size().area()) / (ppd * ppd);
-  const ChannelModel model{FilterBank(settings.decomposition, layout.bands, settings.orientations),
-                           settings.csf, settings.csfPlacement,
+  const ChannelModel model{filters, settings.csf, settings.csfPlacement,
                            Adaptation{adaptation, squareDegrees, settings.viewingDistanceMetres},
                            settings.gain};
   ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum, model);
@@ -171,7 +203,7 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   const auto speedsOf = [&](int orientation) {
     return speedField(retinal, test.size(), orientation, settings.orientations, settings.eye);
   };
-  for (const int orientation : orientationsOf(model.filters)) {
+  for (const int orientation : orientationsOf(filters)) {
     const SpeedField speeds = speedsOf(orientation);
     for (int band = 1; band <= layout.bands; ++band) {
       differences.add(bank.respond({band, orientation}, speeds), band);
@@ -181,7 +213,7 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   const SpeedField speeds = speedsOf(kUnoriented);
   differences.add(bank.respond({baseband, kUnoriented}, speeds), baseband);
 
-  return judged(differences, settings);
+  return judged(differences.powers(), differences.changes(), settings);
 }
 
 double percentVisible(const ProbabilityMap& probability, const Mask& excluded) {

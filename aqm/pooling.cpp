@@ -1,5 +1,7 @@
 #include "aqm/pooling.h"
 
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,30 +13,46 @@
 namespace promenade::aqm {
 namespace {
 
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<float, 8>;
+
 constexpr float kExponent = 3.5f;
 /// Standard deviation of the pooling window, degrees.
 constexpr double kPoolingDegrees = 0.5;
 constexpr int kRowsPerBlock = 16;
 constexpr int kStripWidth = 256;
 
+/// function(vector of 8) of every element. Vectors go beyond the map's width in the plane's padding only.
 template <class Map, class Function>
 Map mapped(const Plane<float>& plane, const Function& function) {
   Map result(plane.width(), plane.height());
   tbb::parallel_for(0, plane.height(), [&](int y) {
-    const auto to = result.row(y);
-    std::transform(plane.row(y), plane.row(y) + plane.width(), to.begin(), function);
+    const Lanes tag;
+    alignas(64) float values[kPlaneUnit];
+    for (int x = 0; x < plane.width(); x += kPlaneUnit) {
+      for (int i = 0; i < kPlaneUnit; i += static_cast<int>(hn::Lanes(tag))) {
+        hn::Store(function(hn::Load(tag, plane.row(y) + x + i)), tag, values + i);
+      }
+      std::copy_n(values, std::min(kPlaneUnit, plane.width() - x), result.row(y).data() + x);
+    }
   });
   return result;
 }
 
-float root(float power) {
-  return std::pow(power, 1.0f / kExponent);
+/// power^(1/3.5); 0 of what is too small for a normal number.
+template <class V>
+V root(V power) {
+  const Lanes tag;
+  const auto least = hn::Set(tag, 1e-37f);
+  const auto result =
+      hn::Exp(tag, hn::Mul(hn::Set(tag, 1.0f / kExponent), hn::Log(tag, hn::Max(power, least))));
+  return hn::IfThenElseZero(hn::Gt(power, least), result);
 }
 
 }  // namespace
 
 JndMap sharpJnd(const Plane<float>& powers) {
-  return mapped<JndMap>(powers, root);
+  return mapped<JndMap>(powers, [](auto power) { return root(power); });
 }
 
 Plane<float> pooledPowers(const Plane<float>& powers, double pixelsPerDegree) {
@@ -74,11 +92,16 @@ Plane<float> pooledPowers(const Plane<float>& powers, double pixelsPerDegree) {
 }
 
 JndMap pooledJnd(const Plane<float>& pooled) {
-  return mapped<JndMap>(pooled, root);
+  return mapped<JndMap>(pooled, [](auto power) { return root(power); });
 }
 
 ProbabilityMap detectionProbability(const Plane<float>& pooled) {
-  return mapped<ProbabilityMap>(pooled, [](float power) { return -std::expm1(-power); });
+  return mapped<ProbabilityMap>(pooled, [](auto power) {
+    const Lanes tag;
+    // Beyond 80, exp(-x) is nothing beside 1.
+    const auto bounded = hn::Min(power, hn::Set(tag, 80.0f));
+    return hn::Neg(hn::Expm1(tag, hn::Neg(bounded)));
+  });
 }
 
 SignedProbabilityMap signedProbability(const ProbabilityMap& probability, const Plane<float>& changes) {

@@ -36,6 +36,13 @@ VelocityMap randomVelocity(Size size, double fastest) {
   });
 }
 
+/// The yardstick: fast_test.cpp holds the fast execution against it.
+Settings plainly(double ppd) {
+  Settings settings = aqm(ppd);
+  settings.execution = Execution::kPlain;
+  return settings;
+}
+
 struct Case {
   Size size;
   double ppd;
@@ -55,7 +62,7 @@ TEST_P(MetricSizes, GiveWhatTheDefinitionGives) {
   const LuminanceMap reference = noise(size, 2, 1.0);
   const VelocityMap velocity = fastest > 0.0 ? randomVelocity(size, fastest) : VelocityMap();
   const tests::MetricByDefinition expected(test, reference, velocity, ppd);
-  const Result found = compare(test, reference, velocity, Settings{ppd});
+  const Result found = compare(test, reference, velocity, plainly(ppd));
   ASSERT_EQ(found.jnd.size(), size);
   ASSERT_EQ(found.pooledJnd.size(), size);
   ASSERT_EQ(found.probability.size(), size);
@@ -133,8 +140,8 @@ TEST(Metric, JudgesStillPixelsAsStillHoweverFastOthersMove) {
   const LuminanceMap reference = noise(size, 3, 0.11);
   const VelocityMap rightMoves =
       velocityOf(size, [](int x, int) { return glm::dvec2(x < 64 ? 0.0 : 50.0, x < 64 ? 0.0 : 20.0); });
-  const Result still = compare(test, reference, {}, Settings{8.0});
-  const Result mixed = compare(test, reference, rightMoves, Settings{8.0});
+  const Result still = compare(test, reference, {}, plainly(8.0));
+  const Result mixed = compare(test, reference, rightMoves, plainly(8.0));
   // The only paths from right to left are the low-passed masking (radius 18 in the baseband) and pooling.
   for (int x = 0; x < 64 - 18; ++x) {
     ASSERT_EQ(mixed.jnd(x, 8), still.jnd(x, 8)) << x;

@@ -16,6 +16,13 @@ using tests::mean;
 using tests::pi;
 using tests::velocityOf;
 
+/// The yardstick: fast_test.cpp holds the fast execution against it.
+Settings plainly(double ppd) {
+  Settings settings = aqm(ppd);
+  settings.execution = Execution::kPlain;
+  return settings;
+}
+
 void expectClose(double found, double expected) {
   EXPECT_NEAR(found, expected, 1e-3 * expected);
 }
@@ -25,7 +32,7 @@ LuminanceMap uniform(Size size, double luminance) {
 }
 
 constexpr Size kGratingSize{128, 128};
-const Settings kGratingSettings{32.0};
+const Settings kGratingSettings = plainly(32.0);
 
 LuminanceMap faintGrating() {
   return frameOf(kGratingSize, [](int x, int) { return 50.0 * (1.0 + 0.01 * bars(x)); });
@@ -70,7 +77,7 @@ TEST(MetricVectors, APlaidOnAnImageThatIsNotSquare) {
     return 50.0 * (1.0 + 0.01 * std::cos(2.0 * pi * 12.0 * (x + 0.5) / 160.0) *
                              std::cos(2.0 * pi * 6.0 * (y + 0.5) / 96.0));
   });
-  const Result result = compare(plaid, uniform(size, 50.0), {}, Settings{40.0});
+  const Result result = compare(plaid, uniform(size, 50.0), {}, plainly(40.0));
   expectClose(largest(result.jnd), 1.3347);
   expectClose(mean(result.jnd), 0.97511);
   expectClose(largest(result.pooledJnd), 1.1879);
@@ -96,7 +103,7 @@ TEST(MetricVectors, AStrongGratingMasksItsOwnChange) {
 
 TEST(MetricVectors, ABlobOnATextureThatMovesAtEverySpeed) {
   const BlobScene scene;
-  const Result moving = compare(scene.withBlob, scene.plain, scene.velocity, Settings{30.0});
+  const Result moving = compare(scene.withBlob, scene.plain, scene.velocity, plainly(30.0));
   expectClose(largest(moving.jnd), 1.9969);
   expectClose(mean(moving.jnd), 0.058445);
   expectClose(largest(moving.pooledJnd), 1.1409);
@@ -106,7 +113,7 @@ TEST(MetricVectors, ABlobOnATextureThatMovesAtEverySpeed) {
   expectClose(moving.jnd(110, 60), 0.45755);
   expectClose(moving.pooledJnd(110, 60), 1.0249);
 
-  const Result still = compare(scene.withBlob, scene.plain, {}, Settings{30.0});
+  const Result still = compare(scene.withBlob, scene.plain, {}, plainly(30.0));
   expectClose(largest(still.jnd), 0.85897);
   expectClose(largest(still.pooledJnd), 0.48925);
 }
@@ -119,7 +126,7 @@ TEST(MetricVectors, AGaborAtTheThresholdOfObservers) {
     const double v = (y - 128.0) / 120.0;
     return 30.0 * (1.0 + contrast * std::cos(2.0 * pi * 4.0 * v) * std::exp(-(u * u + v * v) / 0.5));
   });
-  const Result result = compare(gabor, uniform(size, 30.0), {}, Settings{120.0});
+  const Result result = compare(gabor, uniform(size, 30.0), {}, plainly(120.0));
   expectClose(largest(result.jnd), 1.6878);
   expectClose(mean(result.jnd), 0.38567);
   expectClose(largest(result.pooledJnd), 0.9767);
@@ -130,12 +137,12 @@ TEST(MetricVectors, AGaborAtTheThresholdOfObservers) {
 
 TEST(MetricVectors, SwappingTheFramesChangesNoBitAndEqualFramesGiveZero) {
   const BlobScene scene;
-  const Result forth = compare(scene.withBlob, scene.plain, scene.velocity, Settings{30.0});
-  const Result back = compare(scene.plain, scene.withBlob, scene.velocity, Settings{30.0});
+  const Result forth = compare(scene.withBlob, scene.plain, scene.velocity, plainly(30.0));
+  const Result back = compare(scene.plain, scene.withBlob, scene.velocity, plainly(30.0));
   EXPECT_TRUE(std::ranges::equal(forth.jnd.pixels(), back.jnd.pixels()));
   EXPECT_TRUE(std::ranges::equal(forth.pooledJnd.pixels(), back.pooledJnd.pixels()));
   EXPECT_TRUE(std::ranges::equal(forth.probability.pixels(), back.probability.pixels()));
-  const Result same = compare(scene.plain, scene.plain, scene.velocity, Settings{30.0});
+  const Result same = compare(scene.plain, scene.plain, scene.velocity, plainly(30.0));
   EXPECT_EQ(largest(same.jnd), 0.0);
   EXPECT_EQ(largest(same.pooledJnd), 0.0);
   EXPECT_EQ(largest(same.probability), 0.0);

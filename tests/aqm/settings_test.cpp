@@ -44,7 +44,9 @@ LuminanceMap flatFrame() {
   return frameOf(kSize, [](int, int) { return 50.0; });
 }
 
-Result faintGrating(const Settings& settings, const VelocityMap& velocity = {}) {
+/// Executed plainly: fast_test.cpp holds the fast execution against it.
+Result faintGrating(Settings settings, const VelocityMap& velocity = {}) {
+  settings.execution = Execution::kPlain;
   return compare(gratingFrame(kContrast), flatFrame(), velocity, settings);
 }
 

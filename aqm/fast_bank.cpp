@@ -1,0 +1,436 @@
+#include "aqm/fast_bank.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "aqm/fast_filters.h"
+#include "aqm/fourier.h"
+#include "aqm/gaussian.h"
+#include "aqm/masking_rows.h"
+#include "aqm/passband.h"
+#include "aqm/transpose.h"
+
+namespace promenade::aqm {
+namespace {
+
+/// Of a channel's sensitivity, and of 2 where it is lower. The grids' interpolation costs more.
+constexpr double kTolerance = 0.02;
+/// Two cache lines of complex floats: the unit of transposition.
+constexpr int kRowsPerBlock = 16;
+constexpr int kColumnsPerBlock = 4;
+constexpr int kStripWidth = 256;
+
+template <class T>
+using PerFrame = std::array<T, 2>;
+
+/// The channels of one band, one after the other.
+class FastBand {
+ public:
+  FastBand(const BandPlan& plan, const Layout& layout, const FilterBank& filters, const Settings& settings,
+           const PerFrame<const Spectrum*>& spectra)
+      : plan_(plan),
+        layout_(layout),
+        filters_(filters),
+        masking_(settings.masking),
+        spectra_(spectra),
+        plans_(plan.grid.padded),
+        kernel_(masking_.extent == MaskExtent::kChannel ? 0.375 * std::ldexp(1.0, plan.band) / plan.grid.step
+                                                        : kPointSigma),
+        radial_(radialPlanes(filters, plan.band, plan.terms, layout, plan.grid)) {
+    const Size sites = plan.grid.sites;
+    const int apron = plan.grid.apron;
+    const int radius = kernel_.radius();
+    across_ = reflectionsOf(layout.image.width, sites.width, plan.grid.step, radius);
+    down_ = reflectionsOf(layout.image.height, sites.height, plan.grid.step, radius);
+    for (std::size_t frame = 0; frame < 2; ++frame) {
+      for (std::size_t m = 0; m < radial_.size(); ++m) {
+        columns_[frame].emplace_back(plan.grid.padded.height, radial_[m].height());
+      }
+      responses_[frame] = Plane<float>(sites.width + 2 * apron, sites.height + 2 * apron);
+      if (masks(frame)) {
+        elevations_[frame] = Plane<float>(sites.width, sites.height + 2 * radius);
+      }
+    }
+  }
+
+  /// Adds d^3.5 of the channel to `powers` on the grid of half the step. `steps` is null where nothing moves.
+  void add(int orientation, const Plane<float>& fan, const Plane<std::uint16_t>* steps,
+           Plane<float>& powers) {
+    transformColumns(orientation, fan);
+    transformRows(steps);
+    addPowers(powers);
+  }
+
+ private:
+  static constexpr double kPointSigma = 0.01;
+
+  struct Scratch {
+    Scratch(const Grid& grid, int radius, std::size_t terms)
+        : rows(grid.padded.width / 2 + 1, kRowsPerBlock),
+          filtered(grid.padded.width + 2 * grid.apron, 1),
+          weights(grid.sites.width + 2 * grid.apron, static_cast<int>(terms) * kRowsPerBlock),
+          extended(grid.sites.width, radius, Border::kReflect) {}
+    Spectrum rows;
+    Plane<float> filtered;
+    Plane<float> weights;  ///< of term m in row i: row m * kRowsPerBlock + i
+    ExtendedRow extended;
+  };
+
+  [[nodiscard]] bool masks(std::size_t frame) const {
+    const MaskSource other = frame == 0 ? MaskSource::kReference : MaskSource::kTest;
+    return masking_.elevation != Elevation::kNone && masking_.source != other;
+  }
+
+  /// Filters each column of the spectra for every term and transforms it. Sets passed_.
+  void transformColumns(int orientation, const Plane<float>& fan) {
+    const Size padded = plan_.grid.padded;
+    std::vector<PassedRows> passed;
+    passed_ = {radial_[0].height(), 0};
+    for (int ix = 0; ix < radial_[0].height(); ++ix) {
+      passed.push_back(passedRows(filters_, plan_.band, orientation, ix, padded, plan_.grid.step));
+      if (!passed.back().empty()) {
+        passed_ = {std::min(passed_.begin, ix), ix + 1};
+      }
+    }
+    // Rows of negative frequencies sit at the end of a full column.
+    const int toFull = layout_.padded.height - padded.height;
+    tbb::parallel_for(
+        tbb::blocked_range<int>(passed_.begin, std::max(passed_.begin, passed_.end), kColumnsPerBlock),
+        [&](const tbb::blocked_range<int>& range) {
+          Spectrum filtered(padded.height, 2);
+          for (int ix = range.begin(); ix != range.end(); ++ix) {
+            const PassedRows& rows = passed[static_cast<std::size_t>(ix)];
+            for (std::size_t m = 0; m < radial_.size(); ++m) {
+              const auto filter = [&](Interval interval, int shift) {
+                const float* radial = radial_[m].row(ix);
+                const float* angular = fan.row(ix) + shift;
+                const std::complex<float>* test = spectra_[0]->row(ix) + shift;
+                const std::complex<float>* reference = spectra_[1]->row(ix) + shift;
+                for (int iy = interval.begin; iy < interval.end; ++iy) {
+                  const float value = radial[iy] * angular[iy];
+                  filtered.row(0)[iy] = test[iy] * value;
+                  filtered.row(1)[iy] = reference[iy] * value;
+                }
+              };
+              filter(rows.positive, 0);
+              filter(rows.negative, toFull);
+              for (std::size_t frame = 0; frame < 2; ++frame) {
+                plans_.inverseColumn(filtered.row(static_cast<int>(frame)), columns_[frame][m].row(ix));
+              }
+            }
+            for (const Interval interval : {rows.positive, rows.negative}) {
+              for (int frame = 0; frame < 2; ++frame) {
+                std::fill(filtered.row(frame) + interval.begin,
+                          filtered.row(frame) + std::max(interval.begin, interval.end), 0.0f);
+              }
+            }
+          }
+        });
+  }
+
+  /// Rows and columns of the responses start `apron` sites before the image. Out there, the velocity is that
+  /// of the nearest pixel.
+  void weigh(const Plane<std::uint16_t>& steps, int begin, int end, Scratch& scratch) const {
+    const Grid& grid = plan_.grid;
+    const auto pixel = [&](int i, int length) {
+      return std::clamp((i - grid.apron) * grid.step, 0, length - 1);
+    };
+    const int width = grid.sites.width + 2 * grid.apron;
+    for (int y = begin; y < end; ++y) {
+      const std::uint16_t* row = steps.row(pixel(y, layout_.image.height));
+      for (std::size_t m = 0; m < radial_.size(); ++m) {
+        const float* table = plan_.terms.coefficients[m].data();
+        float* weights = scratch.weights.row(static_cast<int>(m) * kRowsPerBlock + y - begin);
+        for (int x = 0; x < grid.apron; ++x) {
+          weights[x] = table[row[0]];
+        }
+        const int inside = (layout_.image.width - 1) / grid.step + 1 + grid.apron;
+        for (int x = grid.apron; x < inside; ++x) {
+          weights[x] = table[row[(x - grid.apron) * grid.step]];
+        }
+        for (int x = inside; x < width; ++x) {
+          weights[x] = table[row[layout_.image.width - 1]];
+        }
+      }
+    }
+  }
+
+  void transformRows(const Plane<std::uint16_t>* steps) {
+    const Grid& grid = plan_.grid;
+    const int spectrumColumns = grid.padded.width / 2 + 1;
+    const int height = responses_[0].height();
+    const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
+    tbb::enumerable_thread_specific<Scratch> scratches(
+        [&] { return Scratch(grid, kernel_.radius(), radial_.size()); });
+    tbb::parallel_for(0, blocks, [&](int block) {
+      Scratch& scratch = scratches.local();
+      const int begin = block * kRowsPerBlock;
+      const int end = std::min(begin + kRowsPerBlock, height);
+      if (steps != nullptr) {
+        weigh(*steps, begin, end, scratch);
+      }
+      for (std::size_t frame = 0; frame < 2; ++frame) {
+        for (std::size_t m = 0; m < radial_.size(); ++m) {
+          for (int i = 0; i < end - begin; ++i) {
+            // The last transform has overwritten the row.
+            std::fill(scratch.rows.row(i), scratch.rows.row(i) + passed_.begin, 0.0f);
+            std::fill(scratch.rows.row(i) + passed_.end, scratch.rows.row(i) + spectrumColumns, 0.0f);
+          }
+          const int first = grid.margin - grid.apron + begin;
+          const int beforeWrap = std::clamp(grid.padded.height - first, 0, end - begin);
+          transposeRows(columns_[frame][m], first, beforeWrap, passed_.begin, passed_.end, scratch.rows);
+          for (int i = beforeWrap; i < end - begin; ++i) {
+            for (int ix = passed_.begin; ix < passed_.end; ++ix) {
+              scratch.rows.row(i)[ix] = columns_[frame][m].row(ix)[first + i - grid.padded.height];
+            }
+          }
+          for (int y = begin; y < end; ++y) {
+            float* filtered = scratch.filtered.row(0);
+            plans_.inverseRow(scratch.rows.row(y - begin), filtered);
+            std::copy_n(filtered, 2 * grid.apron, filtered + grid.padded.width);
+            accumulate(scratch, m, y - begin, steps != nullptr, responses_[frame].row(y));
+          }
+        }
+        if (masks(frame)) {
+          for (int y = std::max(begin, grid.apron); y < std::min(end, height - grid.apron); ++y) {
+            elevateRow(responses_[frame].row(y), scratch.extended,
+                       elevations_[frame].row(y - grid.apron + kernel_.radius()));
+          }
+        }
+      }
+    });
+  }
+
+  void accumulate(const Scratch& scratch, std::size_t m, int row, bool moves, float* to) const {
+    const float* from = scratch.filtered.row(0) + plan_.grid.margin - plan_.grid.apron;
+    const int width = responses_[0].width();
+    if (!moves) {
+      const float weight = plan_.terms.coefficients[m][0];
+      for (int x = 0; x < width; ++x) {
+        to[x] = (m == 0 ? 0.0f : to[x]) + weight * from[x];
+      }
+      return;
+    }
+    const float* weights = scratch.weights.row(static_cast<int>(m) * kRowsPerBlock + row);
+    if (m == 0) {
+      for (int x = 0; x < width; ++x) {
+        to[x] = weights[x] * from[x];
+      }
+    } else {
+      for (int x = 0; x < width; ++x) {
+        to[x] += weights[x] * from[x];
+      }
+    }
+  }
+
+  void elevateRow(const float* responses, ExtendedRow& extended, float* to) const {
+    const int width = plan_.grid.sites.width;
+    float* samples = extended.samples();
+    elevateByUnitKnee(responses + plan_.grid.apron, samples,
+                      (width + kPlaneUnit - 1) / kPlaneUnit * kPlaneUnit);
+    const auto between = [&](const Reflection& r) {
+      return r.weight == 0.0f ? samples[r.site]
+                              : samples[r.site] + r.weight * (samples[r.site + 1] - samples[r.site]);
+    };
+    const int radius = kernel_.radius();
+    for (int i = 0; i < radius; ++i) {
+      samples[i - radius] = between(across_.before[static_cast<std::size_t>(i)]);
+      samples[width + i] = between(across_.after[static_cast<std::size_t>(i)]);
+    }
+    kernel_.weightedSum(extended.taps(), to,
+                        elevations_[0].width() > 0 ? elevations_[0].stride() : elevations_[1].stride());
+  }
+
+  /// The rows of an elevation beyond the first and the last site.
+  void extendDown(Plane<float>& elevation) const {
+    const int radius = kernel_.radius();
+    const auto fill = [&](int y, const Reflection& r) {
+      const float* above = elevation.row(radius + r.site);
+      const float* below = r.weight == 0.0f ? above : elevation.row(radius + r.site + 1);
+      std::transform(above, above + elevation.stride(), below, elevation.row(y),
+                     [&](float a, float b) { return a + r.weight * (b - a); });
+    };
+    for (int i = 0; i < radius; ++i) {
+      fill(i, down_.before[static_cast<std::size_t>(i)]);
+      fill(radius + plan_.grid.sites.height + i, down_.after[static_cast<std::size_t>(i)]);
+    }
+  }
+
+  /// What the differences in columns x .. x + count - 1 of row y of the sites are divided by. `elevations`
+  /// has a row for each frame; returns those that count.
+  PerFrame<const float*> divisors(int y, int x, int count, std::vector<const float*>& taps,
+                                  Plane<float>& elevations) const {
+    PerFrame<const float*> result{elevations.row(2), elevations.row(2)};
+    for (std::size_t frame = 0; frame < 2; ++frame) {
+      if (masks(frame)) {
+        for (std::size_t t = 0; t < taps.size(); ++t) {
+          taps[t] = elevations_[frame].row(y + static_cast<int>(t)) + x;
+        }
+        kernel_.weightedSum(taps.data(), elevations.row(static_cast<int>(frame)), count);
+        result[frame] = elevations.row(static_cast<int>(frame));
+        if (!masks(1 - frame)) {
+          result[1 - frame] = result[frame];
+        }
+      }
+    }
+    return result;
+  }
+
+  template <class Body>
+  void forEachStrip(int height, int stride, const Body& body) const {
+    const auto taps = static_cast<std::size_t>(2 * kernel_.radius() + 1);
+    const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
+    tbb::parallel_for(0, blocks, [&](int block) {
+      Plane<float> elevations(kStripWidth, 3);
+      std::fill_n(elevations.row(2), kStripWidth, 1.0f);
+      std::vector<const float*> tapped(taps);
+      const int end = std::min((block + 1) * kRowsPerBlock, height);
+      for (int x = 0; x < stride; x += kStripWidth) {
+        const int count = std::min(kStripWidth, stride - x);
+        for (int y = block * kRowsPerBlock; y < end; ++y) {
+          body(y, x, count, divisors(y, x, count, tapped, elevations));
+        }
+      }
+    });
+  }
+
+  void addPowers(Plane<float>& powers) {
+    for (std::size_t frame = 0; frame < 2; ++frame) {
+      if (masks(frame)) {
+        extendDown(elevations_[frame]);
+      }
+    }
+    if (plan_.grid.step == 1) {
+      forEachStrip(powers.height(), powers.stride(),
+                   [&](int y, int x, int count, const PerFrame<const float*>& divisor) {
+                     addDifferences(responses_[0].row(y) + x, responses_[1].row(y) + x, divisor[0],
+                                    divisor[1], powers.row(y) + x, count);
+                   });
+      return;
+    }
+    const Size sites = plan_.grid.sites;
+    Plane<float> lesser(sites.width, sites.height);
+    forEachStrip(sites.height, lesser.stride(),
+                 [&](int y, int x, int count, const PerFrame<const float*>& divisor) {
+                   std::transform(divisor[0], divisor[0] + count, divisor[1], lesser.row(y) + x,
+                                  [](float a, float b) { return std::min(a, b); });
+                 });
+    Plane<float>& change = responses_[0];
+    tbb::parallel_for(0, change.height(), [&](int y) {
+      std::transform(change.row(y), change.row(y) + change.stride(), responses_[1].row(y), change.row(y),
+                     std::minus<>());
+    });
+    tbb::parallel_for(0, powers.height(), [&](int y) { addInterpolatedPowers(change, lesser, y, powers); });
+  }
+
+  /// Row y of the grid of half the step.
+  void addInterpolatedPowers(const Plane<float>& change, const Plane<float>& elevation, int y,
+                             Plane<float>& powers) const {
+    const int apron = plan_.grid.apron;
+    Plane<float> rows(change.width(), 2);
+    Plane<float> fine(powers.width() + 1, 3);
+    const float* above = change.row(y / 2 + apron);
+    const float* elevationAbove = elevation.row(y / 2);
+    const float* elevationBelow = elevation.row((y + 1) / 2);
+    for (int x = 0; x < change.width(); ++x) {
+      rows.row(0)[x] = y % 2 == 0 ? above[x] : halfway(above + x, change.stride());
+    }
+    for (int x = 0; x < elevation.width(); ++x) {
+      rows.row(1)[x] = 0.5f * (elevationAbove[x] + elevationBelow[x]);
+    }
+    const float* changes = rows.row(0) + apron;
+    const float* elevations = rows.row(1);
+    // Row 2 stays zero: the difference to no response.
+    std::fill_n(fine.row(1), fine.stride(), 1.0f);
+    for (int x = 0; 2 * x < powers.width(); ++x) {
+      fine.row(0)[2 * x] = changes[x];
+      fine.row(1)[2 * x] = elevations[x];
+      if (2 * x + 1 < powers.width()) {
+        fine.row(0)[2 * x + 1] = halfway(changes + x, 1);
+        fine.row(1)[2 * x + 1] = 0.5f * (elevations[x] + elevations[x + 1]);
+      }
+    }
+    addDifferences(fine.row(0), fine.row(2), fine.row(1), fine.row(1), powers.row(y), powers.stride());
+  }
+
+  const BandPlan& plan_;
+  const Layout& layout_;
+  const FilterBank& filters_;
+  const Masking masking_;
+  const PerFrame<const Spectrum*> spectra_;
+  const FourierPlans plans_;
+  const GaussianKernel kernel_;
+  const std::vector<Plane<float>> radial_;  ///< one per term
+  Reflections across_;
+  Reflections down_;
+  Interval passed_;
+  PerFrame<std::vector<Spectrum>> columns_;  ///< filtered, transformed along the columns; one per term
+  PerFrame<Plane<float>> responses_;
+  PerFrame<Plane<float>> elevations_;  ///< low-passed along the rows only
+};
+
+}  // namespace
+
+bool isCovered(const Settings& settings) {
+  return settings.decomposition != Decomposition::kLaplacianPyramid && settings.csf == Csf::kKellyDaly &&
+         settings.contrast == ContrastKind::kGlobal && settings.masking.elevation != Elevation::kDaly &&
+         settings.signedMap == SignedMap::kNo;
+}
+
+std::vector<BandPlan> bandPlans(const Layout& layout, const FilterBank& filters, const Settings& settings,
+                                const SpeedSteps& speeds) {
+  std::vector<BandPlan> plans;
+  for (int band = 1; band <= layout.bands + 1; ++band) {
+    plans.push_back(
+        {band, gridOf(layout, gridStep(band, layout.bands)),
+         speedTerms(filters, band, settings, speeds.levels, speeds.first, speeds.last, kTolerance)});
+  }
+  return plans;
+}
+
+Plane<float> fastPowers(const Layout& layout, const Spectrum& test, const Spectrum& reference,
+                        const FilterBank& filters, const Settings& settings, const SpeedSteps& speeds) {
+  std::vector<Plane<float>> fans;
+  for (int l = 0; filters.orientations() > 1 && l < filters.orientations(); ++l) {
+    fans.push_back(fanPlane(filters, l, layout));
+  }
+  const Plane<float> unoriented = fanPlane(filters, kUnoriented, layout);
+
+  std::vector<Plane<float>> powers;  // on grids of 1, 2, 4 .. pixels
+  for (const BandPlan& plan : bandPlans(layout, filters, settings, speeds)) {
+    if (plan.terms.shapes.empty()) {
+      continue;  // blind
+    }
+    const int step = std::max(1, plan.grid.step / 2);
+    const auto level = static_cast<std::size_t>(std::lround(std::log2(step)));
+    while (powers.size() <= level) {
+      const Size sites = gridOf(layout, 1 << powers.size()).sites;
+      powers.emplace_back(sites.width, sites.height);
+    }
+    FastBand band(plan, layout, filters, settings, {&test, &reference});
+    if (plan.band > layout.bands || fans.empty()) {
+      band.add(kUnoriented, unoriented, speeds.of(kUnoriented), powers[level]);
+      continue;
+    }
+    for (int l = 0; l < filters.orientations(); ++l) {
+      band.add(l, fans[static_cast<std::size_t>(l)], speeds.of(l), powers[level]);
+    }
+  }
+  if (powers.empty()) {
+    return Plane<float>(layout.image.width, layout.image.height);
+  }
+  while (powers.size() > 1) {
+    const Plane<float> coarse = std::move(powers.back());
+    powers.pop_back();
+    addInterpolated(coarse, powers.back());
+  }
+  return std::move(powers.front());
+}
+
+}  // namespace promenade::aqm

@@ -1,0 +1,36 @@
+#pragma once
+// What channels.h and masking.h do, in less time: bands on coarser grids (grid.h), few terms instead of many
+// speed levels (speed_terms.h), only the coefficients that a channel passes (passband.h).
+
+#include <vector>
+
+#include "aqm/filter_bank.h"
+#include "aqm/grid.h"
+#include "aqm/plane.h"
+#include "aqm/settings.h"
+#include "aqm/spectrum.h"
+#include "aqm/speed_steps.h"
+#include "aqm/speed_terms.h"
+
+namespace promenade::aqm {
+
+/// What fastPowers() covers: cortex filters, the spatiovelocity CSF, global contrast, a unit knee or no
+/// masking, no signed map.
+[[nodiscard]] bool isCovered(const Settings& settings);
+
+struct BandPlan {
+  int band = 1;
+  Grid grid;
+  SpeedTerms terms;
+};
+
+/// How much is transformed for bands 1 .. K + 1.
+[[nodiscard]] std::vector<BandPlan> bandPlans(const Layout& layout, const FilterBank& filters,
+                                              const Settings& settings, const SpeedSteps& speeds);
+
+/// sum d^3.5 over all channels, of the image's size; see DifferenceSum.
+[[nodiscard]] Plane<float> fastPowers(const Layout& layout, const Spectrum& test, const Spectrum& reference,
+                                      const FilterBank& filters, const Settings& settings,
+                                      const SpeedSteps& speeds);
+
+}  // namespace promenade::aqm
