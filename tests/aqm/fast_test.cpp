@@ -12,6 +12,7 @@
 #include "aqm/retina.h"
 #include "aqm/speed_steps.h"
 #include "aqm/speed_terms.h"
+#include "aqm/transform_plan.h"
 #include "aqm/transpose.h"
 #include "tests/aqm/fast_against_plain.h"
 #include "tests/aqm/patterns.h"
@@ -296,6 +297,26 @@ TEST(FastExecution, IsSymmetricExactAndIndependentOfThreads) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const Result single = compare(scene.withBlob, scene.plain, scene.velocity, aqm(30.0));
   EXPECT_TRUE(std::ranges::equal(forth.jnd.pixels(), single.jnd.pixels()));
+}
+
+// 1280 x 720 at 40 pixels per degree: K = 6, margin 32, padded to 1440 x 800. Two frames forth; back, bands 1
+// to 3 in 6 orientations at full size, bands 4, 5, 6 at D = 2, 4, 8 and the baseband at 16. Plainly, 6 * 6 +
+// 1 channels.
+TEST(PlannedTransforms, AreThoseOfTheChannelsOfBothFrames) {
+  const auto plan = plannedTransforms({1280, 720}, {}, aqm(40.0));
+  ASSERT_EQ(plan.size(), 5u);
+  EXPECT_EQ(plan[0].size, (Size{1440, 800}));
+  EXPECT_EQ(plan[0].forward, 2);
+  EXPECT_EQ(plan[0].inverse, 2 * 6 * 3);
+  EXPECT_EQ(plan[3].size, (Size{180, 100}));
+  EXPECT_EQ(plan[3].inverse, 2 * 6);
+  EXPECT_EQ(plan[4].size, (Size{90, 50}));
+  EXPECT_EQ(plan[4].inverse, 2);
+  Settings plain = aqm(40.0);
+  plain.execution = Execution::kPlain;
+  const auto plainly = plannedTransforms({1280, 720}, {}, plain);
+  ASSERT_EQ(plainly.size(), 1u);
+  EXPECT_EQ(plainly[0].inverse, 2 * 37);
 }
 
 TEST(FastExecution, LeavesToThePlainOneWhatItDoesNotCover) {

@@ -1,0 +1,55 @@
+#include "aqm/transform_plan.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "aqm/fast_bank.h"
+#include "aqm/speed_field.h"
+
+namespace promenade::aqm {
+namespace {
+
+/// Speed levels that the plain execution transforms for the channels of one orientation.
+int levelsOf(const VelocityMap& retinal, Size size, int orientation, const Settings& settings) {
+  const bool byLevels =
+      settings.csf == Csf::kKellyDaly && settings.csfPlacement == CsfPlacement::kWithinBands;
+  return byLevels ? std::popcount(
+                        speedField(retinal, size, orientation, settings.orientations, settings.eye).levels)
+                  : 1;
+}
+
+}  // namespace
+
+std::vector<PlannedTransforms> plannedTransforms(Size size, const VelocityMap& velocity,
+                                                 const Settings& settings) {
+  const double ppd = settings.pixelsPerDegree;
+  const Layout layout =
+      layoutOf(size, ppd, settings.radialBands == 0 ? bandCount(ppd) : settings.radialBands);
+  std::vector<PlannedTransforms> result{{layout.padded, 2, 0}};
+  const auto addInverse = [&](Size padded, int count) {
+    const auto same = std::ranges::find(result, padded, &PlannedTransforms::size);
+    if (same == result.end()) {
+      result.push_back({padded, 0, count});
+    } else {
+      same->inverse += count;
+    }
+  };
+  if (settings.execution == Execution::kFast && isCovered(settings)) {
+    const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
+    const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
+    for (const BandPlan& plan : bandPlans(layout, filters, settings, speeds)) {
+      const int channels = plan.band > layout.bands ? 1 : settings.orientations;
+      addInverse(plan.grid.padded, 2 * channels * static_cast<int>(plan.terms.shapes.size()));
+    }
+    return result;
+  }
+  const VelocityMap retinal = retinalVelocities(velocity, settings.eye);
+  for (int l = 0; l < settings.orientations; ++l) {
+    const int orientation = settings.orientations == 1 ? kUnoriented : l;
+    addInverse(layout.padded, 2 * layout.bands * levelsOf(retinal, size, orientation, settings));
+  }
+  addInverse(layout.padded, 2 * levelsOf(retinal, size, kUnoriented, settings));
+  return result;
+}
+
+}  // namespace promenade::aqm
