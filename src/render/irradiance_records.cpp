@@ -1,19 +1,38 @@
 #include "src/render/irradiance_records.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "src/core/display.h"
 
 namespace promenade::render {
 namespace {
 
-/// A record counts less the more the surface turns away, and nothing beyond 25 degrees: 1 - cos(25 degrees).
-constexpr float kMostTurn = 0.0937f;
-/// ... and nothing where the place lies farther from its plane than this share of its reach (steps, thin
-/// walls).
-constexpr float kMostRise = 0.25f;
+/// A record counts less the more the surface turns away, and nothing beyond 40 degrees: 1 - cos(40 degrees).
+/// (Within that, radianceAround says what the turn does.)
+constexpr float kMostTurn = 0.234f;
+/// ... and nothing where the place lies farther before or behind its surface than this share of its reach
+/// (steps, thin walls). Along the mean of both normals: that is 0 on a sphere or cylinder.
+constexpr float kMostRise = 0.1f;
+/// How far from a record's plane a place with a weight can be, in reaches: where the normals differ by the
+/// most turn, half of that above the plane, and the rise.
+constexpr float kMostLift = 0.342f + kMostRise / 0.94f;
 /// A new record within this share of another's reach would add nothing: every place then has several.
 constexpr float kCovered = 0.65f;
+/// A gradient is not trusted to change the light by more than this share.
+constexpr float kMostChange = 0.5f;
+/// ... and fits within this variance of the neighbours' positions (in reaches, squared) are held flat.
+constexpr float kRidge = 0.02f;
+constexpr int kSmoothings = 2;
+/// How many standard errors the neighbours may contradict what was gathered and be believed whole; twice as
+/// many, and they are not believed at all.
+constexpr float kNoise = 1.5f;
 
 /// 1 at the record, 0 where it ends.
 float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::vec3& normal) {
@@ -22,10 +41,20 @@ float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::
   if (squared >= record.reach * record.reach) return 0.0f;
   const float turn = 1.0f - glm::dot(normal, record.normal);
   if (turn >= kMostTurn) return 0.0f;
-  const float rise = std::abs(glm::dot(offset, record.normal)) / (kMostRise * record.reach);
+  const float rise = 0.5f * std::abs(glm::dot(offset, record.normal + normal)) / (kMostRise * record.reach);
   const float distance = std::sqrt(squared) / record.reach;
   const float turned = std::sqrt(std::max(turn, 0.0f) / kMostTurn);
   return std::max(0.0f, 1.0f - std::max(distance, std::max(turned, rise)));
+}
+
+/// The light that a surface turned from `normal` to `turned` gets, to first order: what falls below its
+/// horizon is made up by what rises above it, as on the neighbouring part of a curved surface. (Ward,
+/// Heckbert, Irradiance Gradients (1992), rotation gradient, by the mean direction of the light.)
+Rgb radianceAround(const SurfaceLight& light, const glm::vec3& normal, const glm::vec3& turned) {
+  const float upright = glm::dot(normal, light.meanDirection);
+  if (!(upright > 1e-3f)) return light.radiance;
+  const glm::vec3 turn = turned - glm::dot(normal, turned) * normal;
+  return light.radiance * std::clamp(1.0f + glm::dot(turn, light.meanDirection) / upright, 0.0f, 2.0f);
 }
 
 }  // namespace
@@ -66,50 +95,204 @@ void IrradianceRecords::forEachNear(const glm::vec3& position, const Visit& visi
   }
 }
 
-bool IrradianceRecords::covers(const glm::vec3& position, const glm::vec3& normal, float mostReach) const {
-  bool covered = false;
+template <class Visit>
+void IrradianceRecords::forEachLitNear(const glm::vec3& position, const Visit& visit) const {
+  if (slots_.empty()) return;
+  const std::size_t mask = slots_.size() - 1;
+  for (const int level : levels_) {
+    const Cell cell = cellOf(level, position);
+    for (std::size_t i = CellHash{}(cell)&mask; slots_[i].begin < slots_[i].end; i = (i + 1) & mask) {
+      if (!(slots_[i].cell == cell)) continue;
+      for (std::uint32_t e = slots_[i].begin; e < slots_[i].end; ++e) {
+        if (!visit(entries_[e])) return;
+      }
+      break;
+    }
+  }
+}
+
+Rgb IrradianceRecords::radianceFrom(std::uint32_t record, const glm::vec3& position,
+                                    const glm::vec3& normal) const {
+  SurfaceLight light = light_[record];
+  const RecordPlace& place = places_[record];
+  const Fit& gradient = fits_[record];
+  const glm::vec3 offset = position - place.position;
+  const Rgb change(glm::dot(gradient.r, offset), glm::dot(gradient.g, offset), glm::dot(gradient.b, offset));
+  light.radiance += glm::clamp(change, -kMostChange * light.radiance, kMostChange * light.radiance);
+  return radianceAround(light, place.normal, normal);
+}
+
+IrradianceRecords::Coverage IrradianceRecords::coverage(const glm::vec3& position,
+                                                        const glm::vec3& normal) const {
+  Coverage result;
   forEachNear(position, [&](std::uint32_t record) {
     const RecordPlace& place = places_[record];
-    covered = covered || (place.reach <= mostReach && weightOf(place, position, normal) > 1.0f - kCovered);
+    const float weight = weightOf(place, position, normal);
+    if (!(weight > 0.0f)) return;
+    const bool lit = record < light_.size();
+    result.finestReach = std::min(result.finestReach, place.reach);
+    result.covered = result.covered || weight > 1.0f - kCovered;
+    result.coveredNew = result.coveredNew || (!lit && weight > 1.0f - kCovered);
+    if (!lit) return;
+    const float value = luminance(radianceFrom(record, position, normal));
+    result.least = std::min(result.least, value);
+    result.most = std::max(result.most, value);
   });
-  return covered;
+  return result;
+}
+
+float IrradianceRecords::clampedReach(const glm::vec3& position, float reach, float slope) const {
+  forEachNear(position, [&](std::uint32_t record) {
+    const RecordPlace& place = places_[record];
+    reach = std::min(reach, place.reach + slope * glm::length(position - place.position));
+  });
+  return reach;
 }
 
 void IrradianceRecords::place(const RecordPlace& place) {
   const auto record = static_cast<std::uint32_t>(places_.size());
   places_.push_back(place);
-  const int level = static_cast<int>(std::ceil(std::log2(2.0f * place.reach)));
+  const int level = static_cast<int>(std::ceil(std::log2(place.reach)));
   const auto at = std::lower_bound(levels_.begin(), levels_.end(), level);
   if (at == levels_.end() || *at != level) levels_.insert(at, level);
-  // A cell is at least twice as wide as the reach: two cells an axis hold all that the record touches.
+  const float size = std::ldexp(1.0f, level);
   const Cell low = cellOf(level, place.position - glm::vec3(place.reach));
   const Cell high = cellOf(level, place.position + glm::vec3(place.reach));
+  // Between the planes that hold every place with a weight, as far as a cell's corners may lie outside.
+  const float thickness =
+      kMostLift * place.reach +
+      0.5f * size * (std::abs(place.normal.x) + std::abs(place.normal.y) + std::abs(place.normal.z));
   for (std::int32_t z = low.z; z <= high.z; ++z) {
     for (std::int32_t y = low.y; y <= high.y; ++y) {
-      for (std::int32_t x = low.x; x <= high.x; ++x) cells_[{level, x, y, z}].push_back(record);
+      for (std::int32_t x = low.x; x <= high.x; ++x) {
+        const glm::vec3 centre = size * (glm::vec3(x, y, z) + 0.5f);
+        if (std::abs(glm::dot(centre - place.position, place.normal)) > thickness) continue;
+        cells_[{level, x, y, z}].push_back(record);
+      }
     }
   }
 }
 
 void IrradianceRecords::setLight(std::vector<SurfaceLight> light) {
-  light_ = std::move(light);
-  light_.resize(places_.size());
+  assert(light.size() <= places_.size());
+  gathered_ = std::move(light);
+  light_ = gathered_;
+  fileLit();
+  fits_.assign(light_.size(), {});
+  const auto fitAll = [this] {
+    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(light_.size()),
+                      [this](std::uint32_t i) { fits_[i] = fitAround(i); });
+  };
+  for (int pass = 0; pass < kSmoothings; ++pass) {
+    fitAll();
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+      // What the neighbours expect here is taken as far as it explains what was gathered by its noise.
+      const float gathered = luminance(gathered_[i].radiance);
+      const float surprise = std::abs(luminance(fits_[i].radiance) - gathered);
+      const float noise = kNoise * gathered_[i].error;
+      const float trust = noise > 0.0f ? std::clamp(2.0f - surprise / noise, 0.0f, 1.0f) : 0.0f;
+      light_[i].radiance = glm::mix(gathered_[i].radiance, glm::max(fits_[i].radiance, Rgb(0.0f)), trust);
+    }
+  }
+  fitAll();
+}
+
+void IrradianceRecords::fileLit() {
+  entries_.clear();
+  slots_.assign(std::bit_ceil(2 * cells_.size() + 1), {});
+  const std::size_t mask = slots_.size() - 1;
+  for (const auto& [cell, records] : cells_) {
+    Slot slot{cell, static_cast<std::uint32_t>(entries_.size()), 0};
+    for (const std::uint32_t record : records) {
+      if (record < light_.size()) entries_.push_back({places_[record], record});
+    }
+    slot.end = static_cast<std::uint32_t>(entries_.size());
+    if (slot.begin == slot.end) continue;
+    std::size_t i = CellHash{}(cell)&mask;
+    while (slots_[i].begin < slots_[i].end) i = (i + 1) & mask;
+    slots_[i] = slot;
+  }
+}
+
+/// Weighted least squares of a linear change over the record's plane, the record itself included.
+IrradianceRecords::Fit IrradianceRecords::fitAround(std::uint32_t record) const {
+  const RecordPlace& here = places_[record];
+  const glm::vec3 helper = std::abs(here.normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 x = glm::normalize(glm::cross(helper, here.normal));
+  const glm::vec3 y = glm::cross(here.normal, x);
+  float w = 0.0f, wx = 0.0f, wy = 0.0f, xx = 0.0f, xy = 0.0f, yy = 0.0f;
+  Rgb wv(0.0f), xv(0.0f), yv(0.0f);
+  forEachLitNear(here.position, [&](const Entry& entry) {
+    const float weight = weightOf(entry.place, here.position, here.normal);
+    if (!(weight > 0.0f)) return true;
+    const glm::vec3 offset = (entry.place.position - here.position) / here.reach;
+    const Rgb value = radianceAround(light_[entry.record], entry.place.normal, here.normal);
+    const float u = glm::dot(offset, x);
+    const float v = glm::dot(offset, y);
+    w += weight;
+    wx += weight * u;
+    wy += weight * v;
+    xx += weight * u * u;
+    xy += weight * u * v;
+    yy += weight * v * v;
+    wv += weight * value;
+    xv += weight * u * value;
+    yv += weight * v * value;
+    return true;
+  });
+  // About the mean of the neighbours. A little ridge: neighbours on a line say nothing of the other
+  // direction.
+  const float meanX = wx / w;
+  const float meanY = wy / w;
+  const Rgb mean = wv / w;
+  const float a = xx / w - meanX * meanX + kRidge;
+  const float b = xy / w - meanX * meanY;
+  const float c = yy / w - meanY * meanY + kRidge;
+  const Rgb p = xv / w - meanX * mean;
+  const Rgb q = yv / w - meanY * mean;
+  const float determinant = a * c - b * b;
+  const Rgb alongX = (c * p - b * q) / determinant;
+  const Rgb alongY = (a * q - b * p) / determinant;
+  Fit fit;
+  fit.radiance = mean - meanX * alongX - meanY * alongY;
+  const glm::vec3 worldX = x / here.reach;
+  const glm::vec3 worldY = y / here.reach;
+  fit.r = alongX.r * worldX + alongY.r * worldY;
+  fit.g = alongX.g * worldX + alongY.g * worldY;
+  fit.b = alongX.b * worldX + alongY.b * worldY;
+  return fit;
 }
 
 std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, const glm::vec3& normal) const {
   SurfaceLight sum;
   float weights = 0.0f;
-  forEachNear(position, [&](std::uint32_t record) {
-    const RecordPlace& place = places_[record];
+  forEachLitNear(position, [&](const Entry& entry) {
     // Where fine and coarse records overlap the fine ones know better.
-    const float weight = weightOf(place, position, normal) / place.reach;
-    if (!(weight > 0.0f)) return;
-    sum.radiance += light_[record].radiance * weight;
-    sum.meanDirection += light_[record].meanDirection * weight;
+    const float weight = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
+    if (!(weight > 0.0f)) return true;
+    sum.radiance += radianceFrom(entry.record, position, normal) * weight;
+    sum.meanDirection += light_[entry.record].meanDirection * weight;
     weights += weight;
+    return true;
   });
   if (!(weights > 0.0f)) return std::nullopt;
   return SurfaceLight{sum.radiance / weights, sum.meanDirection / weights};
+}
+
+std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position,
+                                                         const glm::vec3& normal) const {
+  float best = 0.0f;
+  std::uint32_t record = 0;
+  forEachLitNear(position, [&](const Entry& entry) {
+    const float weight = weightOf(entry.place, position, normal);
+    if (weight > best) {
+      best = weight;
+      record = entry.record;
+    }
+    return best <= 1.0f - kCovered;
+  });
+  if (!(best > 0.0f)) return std::nullopt;
+  return SurfaceLight{radianceFrom(record, position, normal), light_[record].meanDirection};
 }
 
 }  // namespace promenade::render

@@ -4,12 +4,16 @@
 // reach zero at the end of a record's reach: Tabellion, Lamorlette, An Approximate Global Illumination System
 // for Computer Generated Films (SIGGRAPH 2004), sec. 4. Not part of the folder's public face.
 //
-// Departures: a record also keeps the mean direction of its light, so that normal maps and smooth normals
-// shade; records are placed before any light is gathered, so that neither their order nor the number of
-// threads matters.
+// Departures: a record also keeps the mean direction of its light, so that normal maps, smooth normals and
+// curved surfaces shade; gradients come from the neighbouring records' light, not from the rays of one
+// record, and the same fit takes the noise out of the light where the neighbours agree within it; records are
+// placed before any light is gathered, a level at a time, so that neither their order nor the number of
+// threads matters; where a finer level is needed is decided by what the coarser ones say
+// (irradiance_solution.h).
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -31,6 +35,8 @@ struct SurfaceLight {
   /// Integral of L cos w over that of L cos (luminance-weighted), world space, length in [0, 1]: 2/3 of the
   /// normal under a uniform sky, a unit vector for a single small light.
   glm::vec3 meanDirection{0.0f};
+  /// Standard error of the luminance of `radiance`.
+  float error = 0.0f;
 };
 
 /// The same light on an element at the same place that is turned from `normal` to `turned` (both unit). Exact
@@ -40,19 +46,43 @@ struct SurfaceLight {
 
 class IrradianceRecords {
  public:
-  /// Whether a record of reach at most `mostReach` lies near enough that another would add nothing.
-  [[nodiscard]] bool covers(const glm::vec3& position, const glm::vec3& normal, float mostReach) const;
+  /// What the records say of a place.
+  struct Coverage {
+    bool covered = false;     ///< a record is so near that another of its kind would add nothing
+    bool coveredNew = false;  ///< ... and its light is not known yet
+    /// Reach of the finest record near; infinite if there is none.
+    float finestReach = std::numeric_limits<float>::infinity();
+    /// Luminance that the lit records near the place give it, each by itself.
+    float least = std::numeric_limits<float>::infinity();
+    float most = 0.0f;
+  };
+  [[nodiscard]] Coverage coverage(const glm::vec3& position, const glm::vec3& normal) const;
+
+  /// Most that a new record may reach so that it does not look past details that records near it, facing
+  /// anywhere, know of: Krivanek, Bouatouch, Pattanaik, Zara, Making Radiance and Irradiance Caching
+  /// Practical: Adaptive Caching and Neighbor Clamping (EGSR 2006), sec. 4. `slope`: reach gained per
+  /// distance.
+  [[nodiscard]] float clampedReach(const glm::vec3& position, float reach, float slope) const;
+
   void place(const RecordPlace& place);
-
+  /// In the order of placing.
   [[nodiscard]] const std::vector<RecordPlace>& places() const { return places_; }
-  /// As many as places(). Records whose light was never set are black.
-  void setLight(std::vector<SurfaceLight> light);
 
-  /// Nothing where no record reaches.
+  /// Light of the first records, as many as `light` has, as it was gathered; the others are ignored until
+  /// theirs is set.
+  void setLight(std::vector<SurfaceLight> light);
+  [[nodiscard]] const std::vector<SurfaceLight>& light() const { return gathered_; }
+
+  /// Nothing where no lit record reaches.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
+  /// What one record that covers the place says: several times quicker than at(), and continuous only as far
+  /// as neighbouring records agree. Good enough for light that bounces on.
+  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
+                                                      const glm::vec3& normal) const;
 
  private:
-  /// Records are filed by the power of two above their reach, in every cell of that size that they may touch.
+  /// Records are filed by the power of two above their reach, in every cell of that size that they may
+  /// serve.
   struct Cell {
     std::int32_t level, x, y, z;
     friend bool operator==(const Cell&, const Cell&) = default;
@@ -60,14 +90,42 @@ class IrradianceRecords {
   struct CellHash {
     std::size_t operator()(const Cell& cell) const;
   };
+  /// Radiance at the record and its change per distance along the world's axes, within the record's plane.
+  struct Fit {
+    Rgb radiance{0.0f};
+    glm::vec3 r{0.0f}, g{0.0f}, b{0.0f};
+  };
+  /// All that a look-up needs, together in memory.
+  struct Entry {
+    RecordPlace place;
+    std::uint32_t record;
+  };
+  struct Slot {
+    Cell cell{};
+    std::uint32_t begin = 0, end = 0;  ///< of entries_; empty: end of a search
+  };
+
   static Cell cellOf(int level, const glm::vec3& position);
   template <class Visit>
   void forEachNear(const glm::vec3& position, const Visit& visit) const;
+  /// `visit` returns whether to go on.
+  template <class Visit>
+  void forEachLitNear(const glm::vec3& position, const Visit& visit) const;
+  [[nodiscard]] Rgb radianceFrom(std::uint32_t record, const glm::vec3& position,
+                                 const glm::vec3& normal) const;
+  [[nodiscard]] Fit fitAround(std::uint32_t record) const;
+  void fileLit();
 
   std::vector<RecordPlace> places_;
-  std::vector<SurfaceLight> light_;
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
   std::vector<int> levels_;  // in use, sorted
+
+  // Of the lit records.
+  std::vector<SurfaceLight> gathered_;
+  std::vector<SurfaceLight> light_;  // without the noise that the neighbours do not share
+  std::vector<Fit> fits_;
+  std::vector<Entry> entries_;  // cell by cell
+  std::vector<Slot> slots_;     // open addressing; a power of two of them
 };
 
 }  // namespace promenade::render

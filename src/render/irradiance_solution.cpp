@@ -3,13 +3,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
 #include <numbers>
 
 #include "src/core/display.h"
+#include "src/render/path_tracer_internal.h"
 #include "src/render/ray_offset.h"
 
 namespace promenade::render {
@@ -19,7 +19,6 @@ namespace {
 constexpr int kMostPassages = 4;
 /// Smoother reflections than this show their surroundings clearly enough to be asked for a solution there.
 constexpr float kMirrorRoughness = 0.3f;
-constexpr float kLeastDiffuse = 0.01f;
 constexpr int kProbes = 8 * EmbreeScene::kPacket;
 
 /// A place on a matt surface that the walk looks at.
@@ -29,28 +28,22 @@ struct Candidate {
   float pixelWidth = 0.0f;  ///< of a display pixel there
 };
 
-float largest(const Rgb& c) {
-  return std::max(c.x, std::max(c.y, c.z));
-}
-
-/// What one pixel sees, through glass and in mirrors too.
-void addCandidates(const PathTracer& tracer, const Camera& camera, glm::dvec2 pixel, float pixelWidth,
+/// Matt places that a ray comes to, through glass and by way of mirrors too. `width`: of a display pixel
+/// where the ray begins, growing by `spread` per unit distance.
+void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
                    std::vector<Candidate>& candidates) {
   const Surfaces& surfaces = tracer.surfaces();
-  Ray ray;
-  ray.origin = glm::vec3(camera.pose().eye);
-  ray.direction = glm::normalize(glm::vec3(camera.direction(pixel)));
-  float distance = 0.0f;
   for (int passage = 0; passage <= kMostPassages; ++passage) {
     const Hit hit = tracer.embree().intersect(ray);
     if (!hit.found()) return;
-    distance += hit.distance;
+    width += spread * hit.distance;
     const SurfacePoint point = surfaces.pointAt(hit, ray.direction);
     const SurfaceLook look = surfaces.lookAt(point, ray.direction, Footprint{});
     const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
     const BsdfAlbedo albedo = bsdfAlbedo(look.bsdf, std::max(1e-3f, -glm::dot(look.normal, ray.direction)));
-    if (!look.unlit && look.alpha > 0.0f && largest(albedo.diffuse) > kLeastDiffuse) {
-      candidates.push_back({point.position, facing, pixelWidth * distance});
+    if (!look.unlit && look.alpha > 0.0f &&
+        (largest(albedo.diffuse) > kLeastDiffuse || isOpaqueBeyond(look.bsdf, kBroadRoughness))) {
+      candidates.push_back({point.position, facing, width});
     }
     const bool passes = look.alpha < 1.0f || (look.bsdf.thinWalled && look.bsdf.transmission > 0.5f);
     const bool mirrors = look.bsdf.roughness < kMirrorRoughness || look.bsdf.clearcoat > 0.0f;
@@ -66,25 +59,39 @@ void addCandidates(const PathTracer& tracer, const Camera& camera, glm::dvec2 pi
   }
 }
 
+/// Cosine-distributed rays from a surface element.
+Ray rayFrom(const glm::vec3& position, const Basis& basis, Sampler& sampler) {
+  const glm::vec2 u = sampler.next2D();
+  const float radius = std::sqrt(u.x);
+  const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
+  Ray ray;
+  ray.origin = offsetRayOrigin(position, basis.z);
+  ray.direction =
+      basis.toWorld({radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))});
+  return ray;
+}
+
+Sampler::Stream streamOf(std::uint32_t use, std::uint32_t seed, int paths) {
+  Sampler::Stream stream;
+  stream.frame = use;
+  stream.seed = seed;
+  stream.pathsPerPixel = static_cast<std::uint32_t>(paths);
+  return stream;
+}
+/// Where records are does not depend on the seed: that is the error of their light alone.
+constexpr std::uint32_t kPlacing = 0;
+constexpr std::uint32_t kDistances = 0x10000, kBounces = 0x20000;  ///< uses; or a batch
+
 /// Harmonic mean of the distances to what a surface element sees; infinite under the open sky.
-float harmonicMeanDistance(const PathTracer& tracer, const Candidate& place, const Sampler::Stream& stream) {
-  const glm::vec3 helper = std::abs(place.normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-  const glm::vec3 x = glm::normalize(glm::cross(helper, place.normal));
-  const glm::vec3 y = glm::cross(place.normal, x);
-  const glm::vec3 origin = offsetRayOrigin(place.position, place.normal);
+float harmonicMeanDistance(const PathTracer& tracer, const Candidate& place) {
+  const Sampler::Stream stream = streamOf(kDistances, kPlacing, kProbes);
+  const Basis basis(place.normal);
   float inverse = 0.0f;
   std::array<Ray, EmbreeScene::kPacket> rays;
   for (int first = 0; first < kProbes; first += EmbreeScene::kPacket) {
     for (int i = 0; i < EmbreeScene::kPacket; ++i) {
       Sampler sampler(stream, static_cast<std::uint32_t>(first + i));
-      const glm::vec2 u = sampler.next2D();
-      const float radius = std::sqrt(u.x);
-      const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
-      Ray& ray = rays[static_cast<std::size_t>(i)];
-      ray = Ray{};
-      ray.origin = origin;
-      ray.direction = radius * std::cos(phi) * x + radius * std::sin(phi) * y +
-                      std::sqrt(std::max(0.0f, 1.0f - u.x)) * place.normal;
+      rays[static_cast<std::size_t>(i)] = rayFrom(place.position, basis, sampler);
     }
     for (const Hit& hit : tracer.embree().intersect(rays, EmbreeScene::kPacket)) {
       if (hit.found()) inverse += 1.0f / std::max(hit.distance, 1e-6f);
@@ -93,109 +100,228 @@ float harmonicMeanDistance(const PathTracer& tracer, const Candidate& place, con
   return inverse > 0.0f ? static_cast<float>(kProbes) / inverse : std::numeric_limits<float>::infinity();
 }
 
-Sampler::Stream streamOf(std::size_t number, std::uint32_t frame, const SolutionSettings& settings,
-                         int paths) {
-  Sampler::Stream stream;
-  stream.pixel = {static_cast<std::uint32_t>(number & 0xffffu), static_cast<std::uint32_t>(number >> 16)};
-  stream.frame = frame;
-  stream.seed = settings.seed;
-  stream.pathsPerPixel = static_cast<std::uint32_t>(paths);
-  return stream;
-}
+/// Places the records of one spacing and gathers their light.
+class Placer {
+ public:
+  Placer(const PathTracer& tracer, const SolutionSettings& settings, const RecordSpacing& spacing,
+         IrradianceRecords& records)
+      : tracer_(tracer), settings_(settings), spacing_(spacing), records_(records) {}
 
-/// Records for what a camera sees, coarse grid first, so that the finer ones find most of it covered.
-void placeRecords(const PathTracer& tracer, const Camera& camera, const SolutionSettings& settings,
-                  IrradianceRecords& records) {
-  const double pixels = std::min(camera.size().width, settings.mostPixelsAcross);
-  const double step = camera.size().width / pixels;
-  const auto pixelWidth = static_cast<float>(step / camera.focalPixels());
-  for (const int stride : {16, 8, 4, 2}) {
-    if (settings.checkpoint) settings.checkpoint();
-    const int columns = std::max(1, static_cast<int>(camera.size().width / (step * stride)));
-    const int rows = std::max(1, static_cast<int>(camera.size().height / (step * stride)));
-    std::vector<std::vector<Candidate>> open(static_cast<std::size_t>(rows));
-    tbb::parallel_for(0, rows, [&](int row) {
-      std::vector<Candidate> candidates;
+  /// What a camera sees on a grid of that many display pixels.
+  void placeSeen(const Camera& camera, int stride) {
+    const double pixels = std::min(camera.size().width, settings_.mostPixelsAcross);
+    const double step = stride * camera.size().width / pixels;
+    const auto spread = static_cast<float>(camera.size().width / pixels / camera.focalPixels());
+    const int columns = std::max(1, static_cast<int>(camera.size().width / step));
+    const int rows = std::max(1, static_cast<int>(camera.size().height / step));
+    place(static_cast<std::size_t>(rows), [&](std::size_t row, std::vector<Candidate>& candidates) {
       for (int column = 0; column < columns; ++column) {
-        addCandidates(tracer, camera, {(column + 0.5) * step * stride, (row + 0.5) * step * stride},
-                      pixelWidth, candidates);
+        Ray ray;
+        ray.origin = glm::vec3(camera.pose().eye);
+        ray.direction = glm::normalize(
+            glm::vec3(camera.direction({(column + 0.5) * step, (static_cast<double>(row) + 0.5) * step})));
+        addCandidates(tracer_, ray, 0.0f, spread, candidates);
       }
+    });
+  }
+
+  /// What sends light to the records from `first` to `last`.
+  void placeBounces(std::size_t first, std::size_t last) {
+    const std::vector<RecordPlace> places = records_.places();
+    place(last - first, [&](std::size_t i, std::vector<Candidate>& candidates) {
+      const RecordPlace& from = places[first + i];
+      const Basis basis(from.normal);
+      const Sampler::Stream stream = streamOf(kBounces, kPlacing, kRaysPerBounce);
+      for (std::uint32_t k = 0; k < kRaysPerBounce; ++k) {
+        Sampler sampler(stream, k);
+        addCandidates(tracer_, rayFrom(from.position, basis, sampler), from.reach / spacing_.leastReachPixels,
+                      kSpreadOfBounces, candidates);
+      }
+    });
+  }
+
+ private:
+  static constexpr int kRaysPerBounce = 16;
+  /// Size of a pixel for what is seen by way of a matt surface only, per unit of distance.
+  static constexpr float kSpreadOfBounces = 0.01f;
+
+  struct Open {
+    Candidate place;
+    float mostReach;
+  };
+
+  /// Farthest that a new record at a place may reach; nothing if what is known there is good enough.
+  [[nodiscard]] std::optional<float> wanted(const Candidate& c) const {
+    const IrradianceRecords::Coverage known = records_.coverage(c.position, c.normal);
+    const float most = spacing_.mostReachPixels * c.pixelWidth;
+    if (!known.covered) return most;
+    if (known.coveredNew) return std::nullopt;
+    // A walk comes nearer to what was first seen from afar.
+    if (known.finestReach > 2.0f * most) return most;
+    const float half = 0.5f * known.finestReach;
+    if (half < spacing_.leastReachPixels * c.pixelWidth) return std::nullopt;
+    if (known.most - known.least <= settings_.disagreement * std::max(known.most, darkness_)) {
+      return std::nullopt;
+    }
+    return half;
+  }
+
+  /// `find(i, candidates)` adds the i-th of `count` groups of candidates.
+  template <class Find>
+  void place(std::size_t count, const Find& find) {
+    if (settings_.checkpoint) settings_.checkpoint();
+    darkness_ = settings_.darkness * meanLuminance();
+    std::vector<std::vector<Open>> open(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      std::vector<Candidate> candidates;
+      find(i, candidates);
       for (const Candidate& c : candidates) {
-        if (!records.covers(c.position, c.normal, 2.0f * settings.mostReachPixels * c.pixelWidth)) {
-          open[static_cast<std::size_t>(row)].push_back(c);
-        }
+        const std::optional<float> most = wanted(c);
+        if (!most) continue;
+        const float surroundings = spacing_.reachOfSurroundings * harmonicMeanDistance(tracer_, c);
+        const float least = std::min(spacing_.leastReachPixels * c.pixelWidth, *most);
+        open[i].push_back({c, std::clamp(surroundings, least, *most)});
       }
     });
-    std::vector<Candidate> candidates;
-    for (const auto& row : open) candidates.insert(candidates.end(), row.begin(), row.end());
-    std::vector<float> reaches(candidates.size());
-    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-      const Candidate& c = candidates[i];
-      const float surroundings =
-          harmonicMeanDistance(tracer, c, streamOf(i, static_cast<std::uint32_t>(stride), settings, kProbes));
-      reaches[i] =
-          std::clamp(settings.reachOfSurroundings * surroundings, settings.leastReachPixels * c.pixelWidth,
-                     settings.mostReachPixels * c.pixelWidth);
-    });
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const Candidate& c = candidates[i];
-      if (records.covers(c.position, c.normal, 2.0f * settings.mostReachPixels * c.pixelWidth)) continue;
-      records.place({c.position, c.normal, reaches[i]});
+    for (const auto& group : open) {
+      for (const Open& o : group) {
+        // Its neighbours may have come to cover it since.
+        const std::optional<float> most = wanted(o.place);
+        if (!most) continue;
+        const float least = std::min(spacing_.leastReachPixels * o.place.pixelWidth, *most);
+        const float reach = records_.clampedReach(o.place.position, std::min(o.mostReach, *most),
+                                                  spacing_.reachOfSurroundings);
+        records_.place({o.place.position, o.place.normal, std::max(least, reach)});
+      }
     }
   }
-}
 
-SurfaceLight gatherLight(const PathTracer& tracer, const RecordPlace& place, std::size_t number,
-                         const SolutionSettings& settings, PathRays& rays) {
-  SurfaceLight sum;
-  double mean = 0.0;
-  double squares = 0.0;
-  int batches = 0;
-  while (batches < settings.mostBatches) {
-    const SurfaceLight batch = tracer.gather(
-        place.position, place.normal,
-        streamOf(number, static_cast<std::uint32_t>(batches), settings, settings.pathsPerBatch), rays);
-    ++batches;
-    sum.radiance += batch.radiance;
-    sum.meanDirection += batch.meanDirection * luminance(batch.radiance);
-    const double value = luminance(batch.radiance);
-    const double difference = value - mean;
-    mean += difference / batches;
-    squares += difference * (value - mean);
-    if (batches < settings.leastBatches) continue;
-    const double standardError = std::sqrt(squares / (static_cast<double>(batches) * (batches - 1)));
-    if (standardError <= settings.relativeError * mean) break;
+  [[nodiscard]] float meanLuminance() const {
+    if (records_.light().empty()) return 0.0f;
+    double sum = 0.0;
+    for (const SurfaceLight& light : records_.light()) sum += luminance(light.radiance);
+    return static_cast<float>(sum / static_cast<double>(records_.light().size()));
   }
-  const float whole = luminance(sum.radiance);
-  if (whole > 0.0f) sum.meanDirection /= whole;
-  sum.radiance /= static_cast<float>(batches);
-  return sum;
+
+  const PathTracer& tracer_;
+  const SolutionSettings& settings_;
+  const RecordSpacing& spacing_;
+  IrradianceRecords& records_;
+  float darkness_ = 0.0f;
+};
+
+/// Gathers the light of records.
+class Gatherer {
+ public:
+  Gatherer(PathTracer& tracer, const SolutionSettings& settings, const ProgressCallback& progress)
+      : tracer_(tracer), settings_(settings), progress_(progress) {}
+
+  struct Effort {
+    int pathsPerBatch, leastBatches, mostBatches;
+  };
+  [[nodiscard]] Effort coarse() const { return {settings_.coarsePaths, 1, 1}; }
+  [[nodiscard]] Effort fine() const {
+    return {settings_.pathsPerBatch, settings_.leastBatches, settings_.mostBatches};
+  }
+
+  /// Light of the records from `first` on.
+  void gather(IrradianceRecords& records, std::size_t first, const Effort& effort) {
+    const auto& places = records.places();
+    std::vector<SurfaceLight> light = records.light();
+    light.resize(places.size());
+    std::mutex reporting;
+    std::size_t done = 0;
+    tbb::parallel_for(first, places.size(), [&](std::size_t i) {
+      if (settings_.checkpoint) settings_.checkpoint();
+      PathRays rays;
+      light[i] = lightAt(places[i], i, effort, rays);
+      const std::scoped_lock lock(reporting);
+      rays_.scattered += rays.scattered;
+      rays_.shadow += rays.shadow;
+      ++done;
+      if (progress_ && (done % 64 == 0 || first + done == places.size())) {
+        progress_({"light records", first + done, places.size()});
+      }
+    });
+    records.setLight(std::move(light));
+  }
+
+  [[nodiscard]] const PathRays& rays() const { return rays_; }
+
+ private:
+  [[nodiscard]] SurfaceLight lightAt(const RecordPlace& place, std::size_t number, const Effort& effort,
+                                     PathRays& rays) const {
+    SurfaceLight sum;
+    double squaredError = 0.0;  // of the sum of the batches
+    int batches = 0;
+    while (batches < effort.mostBatches) {
+      Sampler::Stream stream =
+          streamOf(static_cast<std::uint32_t>(batches), settings_.seed, effort.pathsPerBatch);
+      stream.pixel = {static_cast<std::uint32_t>(number & 0xffffu), static_cast<std::uint32_t>(number >> 16)};
+      const SurfaceLight batch = tracer_.gather(place.position, place.normal, stream, rays);
+      ++batches;
+      sum.radiance += batch.radiance;
+      sum.meanDirection += batch.meanDirection * luminance(batch.radiance);
+      squaredError += batch.error * batch.error;
+      if (batches < effort.leastBatches) continue;
+      if (std::sqrt(squaredError) <= settings_.relativeError * luminance(sum.radiance)) break;
+    }
+    const float whole = luminance(sum.radiance);
+    if (whole > 0.0f) sum.meanDirection /= whole;
+    sum.radiance /= static_cast<float>(batches);
+    sum.error = static_cast<float>(std::sqrt(squaredError)) / static_cast<float>(batches);
+    return sum;
+  }
+
+  PathTracer& tracer_;
+  const SolutionSettings& settings_;
+  const ProgressCallback& progress_;
+  PathRays rays_;
+};
+
+constexpr int kCoarsestStride = 32, kFinestStride = 2;  ///< display pixels
+/// How often light is followed from what the cameras see to what sends it there.
+constexpr int kBounceLevels = 2;
+
+IrradianceRecords coarseRecords(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera> cameras,
+                                const SolutionSettings& settings) {
+  IrradianceRecords records;
+  Placer placer(tracer, settings, settings.coarse, records);
+  for (const Camera& camera : cameras) placer.placeSeen(camera, kCoarsestStride);
+  std::size_t first = 0;
+  for (int bounce = 0; bounce < kBounceLevels; ++bounce) {
+    const std::size_t last = records.places().size();
+    placer.placeBounces(first, last);
+    first = last;
+  }
+  gatherer.gather(records, 0, gatherer.coarse());
+  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{records, {}, {}}));
+  gatherer.gather(records, 0, gatherer.coarse());
+  return records;
 }
 
 }  // namespace
 
-LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
-                              const SolutionSettings& settings, const ProgressCallback& progress) {
-  LightSolution solution;
-  for (const Camera& camera : cameras) placeRecords(tracer, camera, settings, solution.records);
+std::optional<SurfaceLight> LightSolution::at(const glm::vec3& position, const glm::vec3& normal) const {
+  std::optional<SurfaceLight> light = fine.at(position, normal);
+  return light ? light : coarse.roughlyAt(position, normal);
+}
 
-  const auto& places = solution.records.places();
-  std::vector<SurfaceLight> light(places.size());
-  std::mutex reporting;
-  std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
-    if (settings.checkpoint) settings.checkpoint();
-    PathRays rays;
-    light[i] = gatherLight(tracer, places[i], i, settings, rays);
-    const std::scoped_lock lock(reporting);
-    solution.rays.scattered += rays.scattered;
-    solution.rays.shadow += rays.shadow;
-    ++done;
-    if (progress && (done % 64 == 0 || done == places.size()))
-      progress({"light records", done, places.size()});
-  });
-  solution.records.setLight(std::move(light));
-  return solution;
+std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer, std::span<const Camera> cameras,
+                                                     const SolutionSettings& settings,
+                                                     const ProgressCallback& progress) {
+  LightSolution solution;
+  Gatherer gatherer(tracer, settings, progress);
+  solution.coarse = coarseRecords(tracer, gatherer, cameras, settings);
+  tracer.setSolution(std::make_shared<const LightSolution>(solution));
+  Placer placer(tracer, settings, settings.fine, solution.fine);
+  for (int stride = kCoarsestStride / 2; stride >= kFinestStride; stride /= 2) {
+    const std::size_t before = solution.fine.places().size();
+    for (const Camera& camera : cameras) placer.placeSeen(camera, stride);
+    gatherer.gather(solution.fine, before, gatherer.fine());
+  }
+  solution.rays = gatherer.rays();
+  return std::make_shared<const LightSolution>(std::move(solution));
 }
 
 }  // namespace promenade::render

@@ -1,7 +1,18 @@
 #pragma once
-// A view-independent solution of the light on matt surfaces, for everything that a walk looks at. Every
-// record's light is gathered by unbiased path tracing, many paths each, once for the whole walk.
-// Interpolation: irradiance_records.h. Not part of the folder's public face.
+// A view-independent solution of the light on matt surfaces, for everything that a walk looks at, solved once
+// for the whole walk. Interpolation: irradiance_records.h.
+//
+// 1. Coarse records cover what the cameras see and what light bounces off on its way there. Their light is
+//    gathered by path tracing with few paths, then again with more paths that end at the first surface the
+//    first result knows: the errors of single records average out over the hemisphere. They serve for
+//    bounces only.
+// 2. Fine records for what the cameras see are gathered with paths that end at the coarse ones (final
+//    gathering), level by level: each level half as far apart, where nothing reaches, or where the light
+//    that the records around a place say is there differs by more than a viewer should see.
+//
+// Records are close enough that most of a record's noise can be told from light by its neighbours
+// (irradiance_records.h). Where records are does not depend on the seed. Not part of the folder's public
+// face.
 
 #include <cstdint>
 #include <functional>
@@ -14,31 +25,49 @@
 
 namespace promenade::render {
 
+/// How far apart records may be. The reach of a record is at most a share of the harmonic mean distance to
+/// what it sees (Ward 1988), and within bounds in display pixels at the distance it is first seen from.
+struct RecordSpacing {
+  float reachOfSurroundings;
+  float leastReachPixels;
+  float mostReachPixels;
+};
+
 struct SolutionSettings {
-  /// The reach of a record is this share of the harmonic mean distance to what it sees (Ward 1988) ...
-  float reachOfSurroundings = 0.5f;
-  /// ... but within these bounds, in display pixels at the distance it is first seen from.
-  float leastReachPixels = 4.0f;
-  float mostReachPixels = 20.0f;
+  RecordSpacing coarse = {0.5f, 8.0f, 40.0f};
+  RecordSpacing fine = {0.5f, 4.0f, 20.0f};
   /// A view counts as at most this many pixels wide: larger images get no finer records.
   int mostPixelsAcross = 480;
+  /// Records that differ by more than this share of their light get finer ones between them. Light below
+  /// `darkness` times the mean of all records is measured against that instead.
+  float disagreement = 0.05f;
+  float darkness = 0.1f;
+
+  int coarsePaths = 128;  ///< per record
   int pathsPerBatch = 256;
-  int leastBatches = 4;
+  int leastBatches = 2;
   int mostBatches = 16;
-  /// Gathering ends when the standard error of a record's luminance is below this share of it.
-  float relativeError = 0.02f;
+  /// Gathering ends when the standard error of a record's luminance is below this share of it: that of
+  /// independent paths, which stratification keeps well below.
+  float relativeError = 0.03f;
   std::uint32_t seed = 0;
   std::function<void()> checkpoint = {};  ///< as in PathSettings
 };
 
 /// `cameras`: the walk's, at display resolution; the more of them, the less is left uncovered. The result
-/// does not depend on the number of threads. `progress` may be empty. `rays` counts what was traced.
+/// does not depend on the number of threads. `progress` may be empty. `rays` counts what was traced. Leaves
+/// the tracer with the solution.
 struct LightSolution {
-  IrradianceRecords records;
+  IrradianceRecords coarse;  ///< for bounces
+  IrradianceRecords fine;    ///< for what is seen
   PathRays rays;
+
+  /// Nothing where neither knows.
+  [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
 };
-[[nodiscard]] LightSolution solveIrradiance(const PathTracer& tracer, std::span<const Camera> cameras,
-                                            const SolutionSettings& settings,
-                                            const ProgressCallback& progress);
+[[nodiscard]] std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer,
+                                                                   std::span<const Camera> cameras,
+                                                                   const SolutionSettings& settings,
+                                                                   const ProgressCallback& progress);
 
 }  // namespace promenade::render

@@ -236,14 +236,12 @@ std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSe
   validate(settings);
   PathSettings unbiased = settings;
   unbiased.solution = nullptr;
-  const PathTracer tracer(scene, unbiased);
+  PathTracer tracer(scene, unbiased);
   SolutionSettings solution;
   solution.seed = seedOf(settings);
   solution.checkpoint = settings.checkpoint;
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  return arena.execute([&] {
-    return std::make_shared<const LightSolution>(solveIrradiance(tracer, cameras, solution, progress));
-  });
+  return arena.execute([&] { return solveIrradiance(tracer, cameras, solution, progress); });
 }
 
 }  // namespace promenade::render

@@ -8,15 +8,22 @@
 namespace promenade::render {
 namespace {
 
-/// Less than this of white light in the view-dependent part is not worth a ray.
-constexpr float kLeastViewDependent = 0.002f;
-/// Up to this share of white light every sample uses the same random numbers: the error of a faint reflection
-/// is then a smooth function of place and direction, the same in every frame, instead of grain that differs
-/// between keyframes. (A stronger reflection would show the few directions as ghosts.)
+/// Less than this of white light is not worth a ray.
+constexpr float kLeastTraced = 0.002f;
+/// Up to this share of what a surface sends back every sample uses the same random numbers: the error of a
+/// faint reflection is then a smooth function of place and direction, the same in every frame, instead of
+/// grain that differs between keyframes. (A stronger reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
+/// Whatever sends back more (and diffuse light where the solution knows none) gets up to this many times the
+/// paths, until the standard error of a sample (without what stratification saves) is this share of it.
+constexpr int kMostBatches = 16;
+constexpr float kStrongNoise = 0.03f;
 /// From this roughness on the reflection seen directly is taken from the solution too: its lobe is nearly as
 /// wide as the hemisphere, and a few paths would only add noise to it.
 constexpr float kBroadToTheEye = 0.8f;
+/// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
+constexpr int kLightsPerPath = 4;
+constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
 
 }  // namespace
 
@@ -35,9 +42,12 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
                       0,
                       sky_ ? &sky_->viewFrom(position, normal) : nullptr};
   SurfaceLight sum;
-  const auto add = [&sum](const Rgb& radiance, const glm::vec3& direction) {
+  float squares = 0.0f;
+  const auto add = [&](const Rgb& radiance, const glm::vec3& direction) {
+    const float value = luminance(radiance);
     sum.radiance += radiance;
-    sum.meanDirection += luminance(radiance) * direction;
+    sum.meanDirection += value * direction;
+    squares += value * value;
   };
   struct Arriving {
     Rgb radiance{0.0f};
@@ -47,14 +57,21 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
     add(light.radiance * transmittance, light.direction);
   });
   const ScatteringSurface scattering(look.bsdf, vertex.wo);
-  const Shares shares = firstShares(vertex);
-  for (std::uint32_t i = 0; i < stream.pathsPerPixel; ++i) {
-    Sampler sampler(stream, i);
-    sampleLights(vertex, scattering, shares, sampler, DeltaLights::kExcluded,
+  const Shares asked = firstShares(vertex);
+  const Shares shares{asked.environment * kLightsPerPath, asked.local * kLightsPerPath};
+  Sampler::Stream lightStream = stream;
+  lightStream.seed ^= kLightSeed;
+  lightStream.pathsPerPixel *= kLightsPerPath;
+  for (std::uint32_t i = 0; i < lightStream.pathsPerPixel; ++i) {
+    Sampler sampler(lightStream, i);
+    sampleLights(vertex, scattering, asked, kLightsPerPath, sampler, DeltaLights::kExcluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb&) {
                    ++rays.shadow;
                    shadows.add(shadow, {diffuse, glm::normalize(shadow.direction)});
                  });
+  }
+  for (std::uint32_t i = 0; i < stream.pathsPerPixel; ++i) {
+    Sampler sampler(stream, i);
     const float choose = sampler.next1D();
     const BsdfSample s = scattering.sample(choose, sampler.next2D());
     if (!(s.pdf > 0.0f) || isBlack(s.diffuse)) continue;
@@ -67,13 +84,20 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
   shadows.flush();
   const float whole = luminance(sum.radiance);
   if (whole > 0.0f) sum.meanDirection /= whole;
-  sum.radiance /= static_cast<float>(stream.pathsPerPixel);
+  // Every contribution by itself, as if it came from one of a Poisson number of paths.
+  const auto count = static_cast<float>(stream.pathsPerPixel);
+  sum.error = std::sqrt(squares) / count;
+  sum.radiance /= count;
   return sum;
+}
+
+void PathTracer::setSolution(std::shared_ptr<const LightSolution> solution) {
+  settings_.solution = std::move(solution);
 }
 
 std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex) const {
   if (!settings_.solution) return std::nullopt;
-  return settings_.solution->records.at(vertex.position, vertex.facing);
+  return settings_.solution->at(vertex.position, vertex.facing);
 }
 
 SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
@@ -93,59 +117,99 @@ SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const Scatterin
   return sum;
 }
 
-SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const SurfaceLight& known,
-                                             const glm::vec3& direction, Cone cone,
+SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& direction, Cone cone,
                                              const Sampler::Stream& stream, PathRays& rays) const {
   SurfaceLook& look = vertex.look;
   ScatteringSurface scattering(look.bsdf, vertex.wo);
   const BsdfAlbedo albedo = scattering.albedo();
+  const std::optional<SurfaceLight> known =
+      largest(albedo.diffuse) > kLeastDiffuse || isOpaqueBeyond(look.bsdf, kBroadToTheEye)
+          ? lightFromSolution(vertex)
+          : SurfaceLight{};
   SampleRadiance result = fromDeltaLights(vertex, scattering, rays);
-  result.diffuse += look.emission + albedo.diffuse * radianceOnTurned(known, vertex.facing, look.normal);
-  if (isOpaqueBeyond(look.bsdf, kBroadToTheEye)) {
-    result.viewDependent += albedo.viewDependent * radianceOnTurned(known, vertex.facing, look.normal);
-    return result;
-  }
-  const float share = largest(albedo.viewDependent);
-  if (share < kLeastViewDependent) return result;
-
-  const int count = settings_.pathsPerSample;
-  Sampler::Stream numbers = stream;
-  if (share <= kFaint) {
-    numbers.pixel = {0, 0};
-    numbers.frame = 0;
-  }
-  dropDiffuse(look.bsdf);
-  scattering = ScatteringSurface(look.bsdf, vertex.wo);
-  const Shares shares = firstShares(vertex);
-  Rgb sum(0.0f);
-  auto shadows = shadowBatch<Rgb>(
-      embree_, [&sum](const Rgb& light, const Rgb& transmittance) { sum += light * transmittance; });
-  for (int i = 0; i < count; ++i) {
-    Sampler sampler(numbers, static_cast<std::uint32_t>(i));
-    sampleLights(vertex, scattering, shares, sampler, DeltaLights::kExcluded,
-                 [&](const Ray& shadow, const Rgb&, const Rgb& viewDependent) {
-                   ++rays.shadow;
-                   shadows.add(shadow, viewDependent);
-                 });
-    const float choose = sampler.next1D();
-    const BsdfSample s = scattering.sample(choose, sampler.next2D());
-    if (!(s.pdf > 0.0f) || isBlack(s.viewDependent)) continue;
-    Carried next;
-    next.width = cone.width;
-    next.spread = cone.spread;
-    if (vertex.isStraightThrough(s)) {
-      next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-      next.direction = direction;
-    } else {
-      const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
-      if (!vertex.agree(s.wi, world)) continue;
-      scatter(vertex, s, world, shares, next);
+  result.diffuse += look.emission;
+  Rgb traced = albedo.viewDependent;
+  if (known) {
+    const Rgb under = radianceOnTurned(*known, vertex.facing, look.normal);
+    result.diffuse += albedo.diffuse * under;
+    if (isOpaqueBeyond(look.bsdf, kBroadToTheEye)) {
+      result.viewDependent += albedo.viewDependent * under;
+      return result;
     }
-    next.importance = largest(s.viewDependent);
-    sum += s.viewDependent * follow(next, sampler, rays);
+    dropDiffuse(look.bsdf);
+    scattering = ScatteringSurface(look.bsdf, vertex.wo);
+  } else {
+    traced += albedo.diffuse;
   }
-  shadows.flush();
-  result.viewDependent += sum / static_cast<float>(count);
+  const float share = largest(traced);
+  if (share < kLeastTraced) return result;
+
+  const bool isFaint = known && share <= kFaint * largest(albedo.diffuse + albedo.viewDependent);
+  Sampler::Stream numbers = stream;
+  if (isFaint) {
+    // Neighbours take turns with four sets of numbers, whose errors average out in a pixel.
+    numbers.pixel = stream.pixel & 1u;
+    numbers.frame = 0;
+  } else {
+    numbers.pathsPerPixel *= kMostBatches;
+  }
+  const Shares shares = firstShares(vertex);
+  SampleRadiance sum;
+  float squares = 0.0f;
+  const auto add = [&](const SampleRadiance& part) {
+    const float value = luminance(part.viewDependent) + (known ? 0.0f : luminance(part.diffuse));
+    sum.viewDependent += part.viewDependent;
+    if (!known) sum.diffuse += part.diffuse;
+    squares += value * value;
+  };
+  auto shadows =
+      shadowBatch<SampleRadiance>(embree_, [&add](const SampleRadiance& light, const Rgb& transmittance) {
+        add({light.diffuse * transmittance, light.viewDependent * transmittance});
+      });
+  int count = 0;
+  const auto traceBatch = [&] {
+    for (const int end = count + settings_.pathsPerSample; count < end; ++count) {
+      Sampler sampler(numbers, static_cast<std::uint32_t>(count));
+      sampleLights(vertex, scattering, shares, 1.0f, sampler, DeltaLights::kExcluded,
+                   [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
+                     ++rays.shadow;
+                     shadows.add(shadow, {diffuse, viewDependent});
+                   });
+      const float choose = sampler.next1D();
+      const BsdfSample s = scattering.sample(choose, sampler.next2D());
+      const Rgb scattered = known ? s.viewDependent : s.diffuse + s.viewDependent;
+      if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
+      Carried next;
+      next.width = cone.width;
+      next.spread = cone.spread;
+      if (vertex.isStraightThrough(s)) {
+        next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+        next.direction = direction;
+      } else {
+        const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
+        if (!vertex.agree(s.wi, world)) continue;
+        scatter(vertex, s, world, shares, next);
+      }
+      next.importance = largest(scattered);
+      const Rgb arriving = follow(next, sampler, rays);
+      add({s.diffuse * arriving, s.viewDependent * arriving});
+    }
+    shadows.flush();
+  };
+  const auto isClean = [&] {
+    const auto n = static_cast<float>(count);
+    const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
+    const float variance = std::max(0.0f, squares / n - mean * mean) / n;
+    const float whole = luminance(result.diffuse + result.viewDependent) + mean;
+    return std::sqrt(variance) <= kStrongNoise * whole;
+  };
+  traceBatch();
+  if (!isFaint) {
+    for (int batch = 1; batch < kMostBatches && !isClean(); ++batch) traceBatch();
+  }
+  const float each = 1.0f / static_cast<float>(count);
+  result.diffuse += sum.diffuse * each;
+  result.viewDependent += sum.viewDependent * each;
   return result;
 }
 

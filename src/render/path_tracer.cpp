@@ -189,7 +189,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       dropDiffuse(vertex.look.bsdf);
       scattering = ScatteringSurface(vertex.look.bsdf, vertex.wo);
     }
-    sampleLights(vertex, scattering, shares, sampler, known ? DeltaLights::kExcluded : DeltaLights::kIncluded,
+    sampleLights(vertex, scattering, shares, 1.0f, sampler,
+                 known ? DeltaLights::kExcluded : DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
                    const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
@@ -246,10 +247,8 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
   SampleRadiance sum;
   if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
 
-  if (look.alpha >= 1.0f && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f) {
-    if (const std::optional<SurfaceLight> known = lightFromSolution(vertex)) {
-      return shadeFromSolution(vertex, *known, direction, {width, pixelWidth / length}, stream, rays);
-    }
+  if (settings_.solution && look.alpha >= 1.0f && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f) {
+    return shadeFromSolution(vertex, direction, {width, pixelWidth / length}, stream, rays);
   }
 
   const int count = settings_.pathsPerSample;
@@ -275,7 +274,7 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
     sum.diffuse += look.emission;
     if (!scatters) continue;
 
-    sampleLights(vertex, scattering, shares, sampler, DeltaLights::kIncluded,
+    sampleLights(vertex, scattering, shares, 1.0f, sampler, DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
                    shadows.add(shadow, {diffuse, viewDependent});

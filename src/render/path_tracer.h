@@ -35,6 +35,9 @@ class PathTracer {
   [[nodiscard]] const EmbreeScene& embree() const { return embree_; }
   [[nodiscard]] const Surfaces& surfaces() const { return surfaces_; }
 
+  /// Light on matt surfaces from now on; null: paths alone. Not while others use the tracer.
+  void setSolution(std::shared_ptr<const LightSolution> solution);
+
   /// What a primary ray that hits nothing sees.
   [[nodiscard]] Rgb background(const glm::vec3& unitDirection) const;
   /// Mean of the paths from a primary hit. `pixelWidth`: of a sample at distance 1 along the view axis, of
@@ -67,13 +70,12 @@ class PathTracer {
   [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
   template <class Add>
   void sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
-                    Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
+                    float times, Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
   [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex) const;
-  [[nodiscard]] SampleRadiance shadeFromSolution(Vertex vertex, const SurfaceLight& known,
-                                                 const glm::vec3& direction, Cone cone,
+  [[nodiscard]] SampleRadiance shadeFromSolution(Vertex vertex, const glm::vec3& direction, Cone cone,
                                                  const Sampler::Stream& stream, PathRays& rays) const;
   void scatter(const Vertex& vertex, const BsdfSample& sample, const glm::vec3& direction,
                const Shares& shares, Carried& path) const;

@@ -46,6 +46,9 @@ struct Basis {
 /// From this roughness on a reflection met on the way is as good as matt: the solution says what it shows.
 constexpr float kBroadRoughness = 0.5f;
 
+/// Surfaces with less diffuse albedo than this have no records.
+constexpr float kLeastDiffuse = 0.01f;
+
 /// Whether all that the material sends back is as broad as a lobe of that roughness.
 inline bool isOpaqueBeyond(const BsdfParameters& bsdf, float roughness) {
   return bsdf.roughness >= roughness && bsdf.transmission <= 0.0f && bsdf.clearcoat <= 0.0f;
@@ -149,10 +152,11 @@ ShadowBatch<Payload, Arrive> shadowBatch(const EmbreeScene& embree, Arrive arriv
 }
 
 /// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
-/// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own.
+/// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own. `times`:
+/// how often this is called for each time that the surface is sampled.
 template <class Add>
 void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
-                              Sampler& sampler, DeltaLights deltaLights, const Add& add) const {
+                              float times, Sampler& sampler, DeltaLights deltaLights, const Add& add) const {
   bool askEnvironment = shares.environment > 0.0f;
   bool askLocal = shares.local > 0.0f;
   if (askEnvironment && shares.environment < 1.0f) {
@@ -166,7 +170,7 @@ void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& sca
     if (!vertex.agree(wi, light.direction)) return;
     const BsdfValue f = scattering.evaluate(wi);
     if (isBlack(f.diffuse + f.viewDependent)) return;
-    const float pdf = light.pdf * share;
+    const float pdf = light.pdf * share * times;
     const float weight = (light.delta ? 1.0f : powerHeuristic(pdf, f.pdf)) / pdf;
     const Rgb arriving = light.radiance * weight;
     add(shadowRay(vertex.originToward(light.direction), light), f.diffuse * arriving,
