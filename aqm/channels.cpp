@@ -132,7 +132,7 @@ ChannelBank::Columns ChannelBank::passColumns(const Channel& channel) {
   const Plane<float>& radial = radial_[static_cast<std::size_t>(channel.band - 1)];
   // The transforms are unscaled.
   const auto scale = static_cast<float>(model_.gain / static_cast<double>(padded.area()));
-  const bool byLevels = model_.csf == Csf::kKellyDaly && model_.placement == CsfPlacement::kWithinBands;
+  const bool byLevels = isByLevels();
   std::vector<char> passes(static_cast<std::size_t>(radial.height()));
   forEachColumn(0, radial.height(), [&](int ix) {
     bool any = false;
@@ -141,6 +141,9 @@ ChannelBank::Columns ChannelBank::passColumns(const Channel& channel) {
       if (byLevels) {
         const float rho = frequency_.row(ix)[iy];
         value *= rho * rho;
+        if (model_.csf == Csf::kDalyMoving && value != 0.0f) {
+          value *= static_cast<float>(stillFactor(static_cast<double>(rho), model_.adaptation));
+        }
       } else if (value != 0.0f) {
         const double s = spectralSensitivity(signedFrequency(ix, padded.width),
                                              signedFrequency(iy, padded.height), channel);
@@ -158,6 +161,11 @@ ChannelBank::Columns ChannelBank::passColumns(const Channel& channel) {
              : Columns{static_cast<int>(first - passes.begin()), static_cast<int>(passes.rend() - last)};
 }
 
+bool ChannelBank::isByLevels() const {
+  return (model_.csf == Csf::kKellyDaly || model_.csf == Csf::kDalyMoving) &&
+         model_.placement == CsfPlacement::kWithinBands;
+}
+
 double ChannelBank::spectralSensitivity(double fx, double fy, const Channel& channel) const {
   const double ppd = layout_.pixelsPerDegree;
   const bool isCentre = model_.placement == CsfPlacement::kBandCentres;
@@ -165,6 +173,8 @@ double ChannelBank::spectralSensitivity(double fx, double fy, const Channel& cha
   switch (model_.csf) {
     case Csf::kKellyDaly:
       return 1.0;  // with the pixels, because it depends on the speed
+    case Csf::kDalyMoving:
+      return stillFactor(rho, model_.adaptation);  // the rest with the pixels
     case Csf::kDaly: {
       const double angle =
           !isCentre ? std::atan2(fy, fx)
@@ -280,7 +290,7 @@ void ChannelBank::respondAtCentre(Columns columns, const Channel& channel, const
   const auto square = hn::Set(tag, static_cast<float>(centre * centre));
   const auto slope = hn::Set(tag, static_cast<float>(-centre * decayPerSpeed));
   const auto offset = hn::Set(tag, static_cast<float>(-centre * frequencyDecay(0.0)));
-  const bool followsSpeed = model_.csf == Csf::kKellyDaly;
+  const bool followsSpeed = model_.csf == Csf::kKellyDaly || model_.csf == Csf::kDalyMoving;
   filterColumns(columns, 0.0, 0.0);
   addRows(
       columns, [](int) { return true; },
@@ -304,7 +314,7 @@ const Responses& ChannelBank::respond(const Channel& channel, const SpeedField& 
   });
   const Columns columns = passColumns(channel);
   if (columns.begin < columns.end) {
-    if (model_.csf == Csf::kKellyDaly && model_.placement == CsfPlacement::kWithinBands) {
+    if (isByLevels()) {
       respondByLevels(columns, channel, speeds);
     } else {
       respondAtCentre(columns, channel, speeds);

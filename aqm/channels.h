@@ -33,7 +33,7 @@ struct ChannelModel {
   FilterBank filters;
   Csf csf = Csf::kKellyDaly;
   CsfPlacement placement = CsfPlacement::kWithinBands;
-  Adaptation adaptation{};  ///< for Csf::kDaly
+  Adaptation adaptation{};  ///< for Daly's
   double gain = 1.09;       ///< G
 };
 
@@ -58,6 +58,8 @@ class ChannelBank {
   };
   /// Fills passed_ and returns the columns of the spectrum that the channel passes at all.
   Columns passColumns(const Channel& channel);
+  /// Whether the CSF's shape inside a band depends on the speed.
+  [[nodiscard]] bool isByLevels() const;
   [[nodiscard]] double spectralSensitivity(double fx, double fy, const Channel& channel) const;
   void filterColumns(Columns columns, double decay, double lowestFrequency);
   /// Adds weights(y, to) times the filtered frames to the responses, in the rows that are `needed`.

@@ -59,6 +59,13 @@ double dalySensitivity(double cyclesPerDegree, double angle, const Adaptation& a
   return kStillPeak * std::min(dalyShape(cyclesPerDegree, adaptation), dalyShape(stretched, adaptation));
 }
 
+double stillFactor(double cyclesPerDegree, const Adaptation& adaptation) {
+  if (cyclesPerDegree == 0.0) {
+    return 0.0;
+  }
+  return dalySensitivity(cyclesPerDegree, 0.0, adaptation) / sensitivity(cyclesPerDegree, kDriftSpeed);
+}
+
 double mannosSakrisonSensitivity(double cyclesPerDegree) {
   if (cyclesPerDegree == 0.0) {
     return 0.0;

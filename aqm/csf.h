@@ -32,6 +32,12 @@ struct Adaptation {
 /// and the oblique effect for a frequency vector at `angle` radians from horizontal. S(0) = 0.
 [[nodiscard]] double dalySensitivity(double cyclesPerDegree, double angle, const Adaptation& adaptation);
 
+/// What turns sensitivity(rho, v) into the CSF of Csf::kDalyMoving, S(rho, v) = S_Daly(rho) S_Kelly(rho, v) /
+/// S_Kelly(rho, 0.15): Kelly's formula, fitted to gratings of up to 12 cycles per degree, falls off too
+/// steeply above (12 dB too low at 22.6, 23 dB at 30) and below 1 cycle per degree; Daly's static one does
+/// not. 0 at frequency 0.
+[[nodiscard]] double stillFactor(double cyclesPerDegree, const Adaptation& adaptation);
+
 /// Mannos, Sakrison 1974: 2.6 (0.0192 + 0.114 rho) exp(-(0.114 rho)^1.1), which peaks at 0.98 at 8 cycles per
 /// degree, times 250; but S(0) = 0, as for the others.
 [[nodiscard]] double mannosSakrisonSensitivity(double cyclesPerDegree);

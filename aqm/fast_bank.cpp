@@ -232,7 +232,7 @@ class FastBand {
   void elevateRow(const float* responses, ExtendedRow& extended, float* to) const {
     const int width = plan_.grid.sites.width;
     float* samples = extended.samples();
-    elevateByUnitKnee(responses + plan_.grid.apron, samples,
+    elevateByUnitKnee(responses + plan_.grid.apron, masking_.strength, samples,
                       (width + kPlaneUnit - 1) / kPlaneUnit * kPlaneUnit);
     const auto between = [&](const Reflection& r) {
       return r.weight == 0.0f ? samples[r.site]
@@ -378,24 +378,26 @@ class FastBand {
 }  // namespace
 
 bool isCovered(const Settings& settings) {
-  return settings.decomposition != Decomposition::kLaplacianPyramid && settings.csf == Csf::kKellyDaly &&
+  return settings.decomposition != Decomposition::kLaplacianPyramid &&
+         (settings.csf == Csf::kKellyDaly || settings.csf == Csf::kDalyMoving) &&
          settings.contrast == ContrastKind::kGlobal && settings.masking.elevation != Elevation::kDaly &&
          settings.signedMap == SignedMap::kNo;
 }
 
 std::vector<BandPlan> bandPlans(const Layout& layout, const FilterBank& filters, const Settings& settings,
-                                const SpeedSteps& speeds) {
+                                const Adaptation& adaptation, const SpeedSteps& speeds) {
   std::vector<BandPlan> plans;
   for (int band = 1; band <= layout.bands + 1; ++band) {
-    plans.push_back(
-        {band, gridOf(layout, gridStep(band, layout.bands)),
-         speedTerms(filters, band, settings, speeds.levels, speeds.first, speeds.last, kTolerance)});
+    plans.push_back({band, gridOf(layout, gridStep(band, layout.bands)),
+                     speedTerms(filters, band, settings, adaptation, speeds.levels, speeds.first, speeds.last,
+                                kTolerance)});
   }
   return plans;
 }
 
 Plane<float> fastPowers(const Layout& layout, const Spectrum& test, const Spectrum& reference,
-                        const FilterBank& filters, const Settings& settings, const SpeedSteps& speeds) {
+                        const FilterBank& filters, const Settings& settings, const Adaptation& adaptation,
+                        const SpeedSteps& speeds) {
   std::vector<Plane<float>> fans;
   for (int l = 0; filters.orientations() > 1 && l < filters.orientations(); ++l) {
     fans.push_back(fanPlane(filters, l, layout));
@@ -403,7 +405,7 @@ Plane<float> fastPowers(const Layout& layout, const Spectrum& test, const Spectr
   const Plane<float> unoriented = fanPlane(filters, kUnoriented, layout);
 
   std::vector<Plane<float>> powers;  // on grids of 1, 2, 4 .. pixels
-  for (const BandPlan& plan : bandPlans(layout, filters, settings, speeds)) {
+  for (const BandPlan& plan : bandPlans(layout, filters, settings, adaptation, speeds)) {
     if (plan.terms.shapes.empty()) {
       continue;  // blind
     }

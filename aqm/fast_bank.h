@@ -14,7 +14,7 @@
 
 namespace promenade::aqm {
 
-/// What fastPowers() covers: cortex filters, the spatiovelocity CSF, global contrast, a unit knee or no
+/// What fastPowers() covers: cortex filters, a CSF that knows of motion, global contrast, a unit knee or no
 /// masking, no signed map.
 [[nodiscard]] bool isCovered(const Settings& settings);
 
@@ -26,11 +26,12 @@ struct BandPlan {
 
 /// How much is transformed for bands 1 .. K + 1.
 [[nodiscard]] std::vector<BandPlan> bandPlans(const Layout& layout, const FilterBank& filters,
-                                              const Settings& settings, const SpeedSteps& speeds);
+                                              const Settings& settings, const Adaptation& adaptation,
+                                              const SpeedSteps& speeds);
 
 /// sum d^3.5 over all channels, of the image's size; see DifferenceSum.
 [[nodiscard]] Plane<float> fastPowers(const Layout& layout, const Spectrum& test, const Spectrum& reference,
                                       const FilterBank& filters, const Settings& settings,
-                                      const SpeedSteps& speeds);
+                                      const Adaptation& adaptation, const SpeedSteps& speeds);
 
 }  // namespace promenade::aqm

@@ -39,10 +39,11 @@ void addChanges(const float* test, const float* reference, float* sums, int coun
 
 }  // namespace
 
-void elevateByUnitKnee(const float* responses, float* elevations, int count) {
+void elevateByUnitKnee(const float* responses, double strength, float* elevations, int count) {
   const Lanes tag;
+  const auto scale = hn::Set(tag, static_cast<float>(strength));
   for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(tag))) {
-    const auto response = bounded(hn::LoadU(tag, responses + x));
+    const auto response = bounded(hn::Mul(scale, hn::LoadU(tag, responses + x)));
     const auto square = hn::Mul(response, response);
     const auto fourth = hn::Mul(square, square);
     hn::StoreU(hn::Sqrt(hn::Sqrt(hn::Add(hn::Set(tag, 1.0f), fourth))), tag, elevations + x);
@@ -93,11 +94,12 @@ DifferenceSum::DifferenceSum(Size image, int bands, const Masking& masking, Sign
 
 void DifferenceSum::elevate(const float* responses, double slope, float* elevations, int count) const {
   if (masking_.elevation == Elevation::kUnitKnee) {
-    elevateByUnitKnee(responses, elevations, count);
+    elevateByUnitKnee(responses, masking_.strength, elevations, count);
     return;
   }
   for (int x = 0; x < count; ++x) {
-    const auto response = static_cast<double>(std::clamp(responses[x], -kLargestResponse, kLargestResponse));
+    const double response = masking_.strength * static_cast<double>(std::clamp(
+                                                    responses[x], -kLargestResponse, kLargestResponse));
     elevations[x] = static_cast<float>(thresholdElevation(response, masking_.elevation, slope));
   }
 }

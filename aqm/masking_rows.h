@@ -4,8 +4,8 @@
 
 namespace promenade::aqm {
 
-/// (1 + response^4)^(1/4).
-void elevateByUnitKnee(const float* responses, float* elevations, int count);
+/// (1 + (strength response)^4)^(1/4).
+void elevateByUnitKnee(const float* responses, double strength, float* elevations, int count);
 
 /// sums += (|test - reference| / min(elevations))^3.5
 void addDifferences(const float* test, const float* reference, const float* testElevation,

@@ -98,6 +98,9 @@ void checkSettings(const Settings& settings) {
   if (!(settings.viewingDistanceMetres > 0.0 && std::isfinite(settings.viewingDistanceMetres))) {
     reject("viewing distance: expected metres above 0, found ", settings.viewingDistanceMetres);
   }
+  if (!(settings.masking.strength > 0.0 && std::isfinite(settings.masking.strength))) {
+    reject("masking strength: expected above 0, found ", settings.masking.strength);
+  }
   if (!(settings.gain > 0.0 && std::isfinite(settings.gain))) {
     reject("gain: expected above 0, found ", settings.gain);
   }
@@ -182,17 +185,16 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
 
   const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
 
+  const double squareDegrees = static_cast<double>(test.size().area()) / (ppd * ppd);
+  const Adaptation adapted{adaptation, squareDegrees, settings.viewingDistanceMetres};
   if (isFast) {
     const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
-    return judged(fastPowers(layout, testSpectrum, referenceSpectrum, filters, settings, speeds), {},
+    return judged(fastPowers(layout, testSpectrum, referenceSpectrum, filters, settings, adapted, speeds), {},
                   settings);
   }
 
   // Channels (cortex filters and the CSF at the speed each of them sees), masked and summed.
-  const double squareDegrees = static_cast<double>(test.size().area()) / (ppd * ppd);
-  const ChannelModel model{filters, settings.csf, settings.csfPlacement,
-                           Adaptation{adaptation, squareDegrees, settings.viewingDistanceMetres},
-                           settings.gain};
+  const ChannelModel model{filters, settings.csf, settings.csfPlacement, adapted, settings.gain};
   ChannelBank bank(layout, plans, testSpectrum, referenceSpectrum, model);
   if (settings.contrast == ContrastKind::kLocal) {
     bank.relateTo(localMeans(testSpectrum, layout, plans, adaptation),

@@ -8,6 +8,14 @@ Settings aqm(double pixelsPerDegree) {
   return settings;
 }
 
+Settings revisedAqm(double pixelsPerDegree) {
+  Settings settings = aqm(pixelsPerDegree);
+  settings.csf = Csf::kDalyMoving;
+  settings.viewingDistanceMetres = 1.0;
+  settings.gain = 1.42;
+  return settings;
+}
+
 Settings aqm2000(double pixelsPerDegree) {
   Settings settings = aqm(pixelsPerDegree);
   settings.decomposition = Decomposition::kCortexAmplitude;
@@ -22,7 +30,7 @@ Settings vdp(double pixelsPerDegree, double viewingDistanceMetres) {
   settings.decomposition = Decomposition::kCortexAmplitude;
   settings.csf = Csf::kDaly;
   settings.viewingDistanceMetres = viewingDistanceMetres;
-  settings.masking = {Elevation::kDaly, MaskExtent::kPoint, MaskSource::kReference};
+  settings.masking = {Elevation::kDaly, MaskExtent::kChannel, MaskSource::kReference};
   settings.pooling = Pooling::kNone;
   settings.gain = 1.0;
   settings.signedMap = SignedMap::kYes;

@@ -20,7 +20,8 @@ enum class Decomposition {
 
 /// Whose contrast sensitivity function.
 enum class Csf {
-  kKellyDaly,      ///< Kelly 1979 with Daly's constants (1998): the only one that knows of motion
+  kKellyDaly,      ///< Kelly 1979 with Daly's constants (1998): knows of motion
+  kDalyMoving,     ///< kDaly's at rest, without its oblique effect, changed by motion as kKellyDaly changes
   kDaly,           ///< Daly 1993: light adaptation, image area, viewing distance, oblique effect
   kMannosSakrison  ///< Mannos, Sakrison 1974, scaled to a peak of 250
 };
@@ -61,6 +62,7 @@ struct Masking {
   Elevation elevation = Elevation::kUnitKnee;
   MaskExtent extent = MaskExtent::kChannel;
   MaskSource source = MaskSource::kMutual;
+  double strength = 1.0;  ///< responses are multiplied by this before they elevate a threshold; > 0
   friend bool operator==(const Masking&, const Masking&) = default;
 };
 
@@ -93,7 +95,7 @@ struct Settings {
   int orientations = 6;  ///< 1 .. 24
   Csf csf = Csf::kKellyDaly;
   CsfPlacement csfPlacement = CsfPlacement::kWithinBands;
-  double viewingDistanceMetres = 0.5;  ///< > 0; only Csf::kDaly asks for it (accommodation)
+  double viewingDistanceMetres = 0.5;  ///< > 0; only Daly's static CSF asks for it (accommodation)
   Eye eye = Eye::kTracking;
   Masking masking{};
   Pooling pooling = Pooling::kHalfDegree;
@@ -107,11 +109,19 @@ struct Settings {
 /// The animation quality metric of this project.
 [[nodiscard]] Settings aqm(double pixelsPerDegree);
 
+/// aqm() with Daly's CSF at rest, moved as Kelly's (Csf::kDalyMoving), and the gain that fits Gabor patches
+/// then. Fits published thresholds better in every respect (docs/validation.md), and adapts to the frames'
+/// luminance; not the default, because verdicts of aqm() are what the other numbers of this project were
+/// measured with.
+[[nodiscard]] Settings revisedAqm(double pixelsPerDegree);
+
 /// The animation quality metric as published (Myszkowski, Rokita, Tawara 2000): Daly's filters, the CSF taken
 /// at their centre frequencies, no spatial pooling.
 [[nodiscard]] Settings aqm2000(double pixelsPerDegree);
 
-/// Daly's visible differences predictor (1993) for still images, with its signed map.
+/// Daly's visible differences predictor (1993) for still images, with its signed map. The elevation extends
+/// over a channel's filter (his phase uncertainty): at the pixel alone, thresholds would be those of the
+/// mask's zeros.
 [[nodiscard]] Settings vdp(double pixelsPerDegree, double viewingDistanceMetres);
 
 }  // namespace promenade::aqm

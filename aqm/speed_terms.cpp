@@ -41,8 +41,8 @@ double largest(const Function& f) {
 /// g(rho; v) at `count` frequencies between the band's ends.
 class BandFunctions {
  public:
-  BandFunctions(const FilterBank& filters, int band, const Settings& settings, const SpeedLevels& levels,
-                double lowest, double highest, int count)
+  BandFunctions(const FilterBank& filters, int band, const Settings& settings, const Adaptation& adaptation,
+                const SpeedLevels& levels, double lowest, double highest, int count)
       : levels_(levels),
         isAtCentre_(settings.csfPlacement == CsfPlacement::kBandCentres),
         centre_(settings.pixelsPerDegree * filters.centre(band)) {
@@ -50,6 +50,9 @@ class BandFunctions {
       const double f = lowest + (highest - lowest) * i / (count - 1);
       frequencies_.push_back(f * settings.pixelsPerDegree);
       amplitudes_.push_back(settings.gain * filters.radial({f, 0.0}, band));
+      if (settings.csf == Csf::kDalyMoving) {
+        amplitudes_.back() *= stillFactor(isAtCentre_ ? centre_ : frequencies_.back(), adaptation);
+      }
     }
   }
 
@@ -94,12 +97,15 @@ class BandFunctions {
 }  // namespace
 
 SpeedTerms speedTerms(const FilterBank& filters, int band, const Settings& settings,
-                      const SpeedLevels& levels, int first, int last, double tolerance) {
+                      const Adaptation& adaptation, const SpeedLevels& levels, int first, int last,
+                      double tolerance) {
   SpeedTerms terms;
   terms.lowest = filters.lowest(band);
   terms.highest = filters.highest(band);
-  const BandFunctions coarse(filters, band, settings, levels, terms.lowest, terms.highest, kSamples);
-  const BandFunctions fine(filters, band, settings, levels, terms.lowest, terms.highest, kShapeSamples);
+  const BandFunctions coarse(filters, band, settings, adaptation, levels, terms.lowest, terms.highest,
+                             kSamples);
+  const BandFunctions fine(filters, band, settings, adaptation, levels, terms.lowest, terms.highest,
+                           kShapeSamples);
 
   // The functions at all speeds, each in units of what matters at its speed.
   std::vector<double> octaves;

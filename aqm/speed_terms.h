@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "aqm/csf.h"
 #include "aqm/filter_bank.h"
 #include "aqm/settings.h"
 #include "aqm/speed_field.h"
@@ -30,8 +31,10 @@ struct SpeedTerms {
 
 /// Terms for the speeds from level `first` to level `last` (inclusive) of `levels`, in band 1 .. K + 1. At
 /// every speed and frequency the sum of the terms is within `tolerance` * (largest sensitivity of the band at
-/// that speed + 2) of g. `settings.csf` must be Csf::kKellyDaly.
+/// that speed + 2) of g. `settings.csf` must be one that knows of
+/// motion.
 [[nodiscard]] SpeedTerms speedTerms(const FilterBank& filters, int band, const Settings& settings,
-                                    const SpeedLevels& levels, int first, int last, double tolerance);
+                                    const Adaptation& adaptation, const SpeedLevels& levels, int first,
+                                    int last, double tolerance);
 
 }  // namespace promenade::aqm

@@ -11,8 +11,8 @@ namespace {
 
 /// Speed levels that the plain execution transforms for the channels of one orientation.
 int levelsOf(const VelocityMap& retinal, Size size, int orientation, const Settings& settings) {
-  const bool byLevels =
-      settings.csf == Csf::kKellyDaly && settings.csfPlacement == CsfPlacement::kWithinBands;
+  const bool byLevels = (settings.csf == Csf::kKellyDaly || settings.csf == Csf::kDalyMoving) &&
+                        settings.csfPlacement == CsfPlacement::kWithinBands;
   return byLevels ? std::popcount(
                         speedField(retinal, size, orientation, settings.orientations, settings.eye).levels)
                   : 1;
@@ -37,7 +37,7 @@ std::vector<PlannedTransforms> plannedTransforms(Size size, const VelocityMap& v
   if (settings.execution == Execution::kFast && isCovered(settings)) {
     const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
     const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
-    for (const BandPlan& plan : bandPlans(layout, filters, settings, speeds)) {
+    for (const BandPlan& plan : bandPlans(layout, filters, settings, Adaptation{}, speeds)) {
       const int channels = plan.band > layout.bands ? 1 : settings.orientations;
       addInverse(plan.grid.padded, 2 * channels * static_cast<int>(plan.terms.shapes.size()));
     }

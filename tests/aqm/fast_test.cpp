@@ -45,7 +45,8 @@ TEST(SpeedTerms, AreWithinTheirToleranceOfEveryBandAtEverySpeed) {
   for (const auto decomposition : {Decomposition::kCortexEnergy, Decomposition::kCortexAmplitude}) {
     const FilterBank filters(decomposition, 6, 6);
     for (int band = 1; band <= 7; ++band) {
-      const SpeedTerms terms = speedTerms(filters, band, settings, speedLevels(Eye::kTracking), 0, 5, 0.02);
+      const SpeedTerms terms =
+          speedTerms(filters, band, settings, {}, speedLevels(Eye::kTracking), 0, 5, 0.02);
       EXPECT_LE(terms.shapes.size(), 4u) << "band " << band;
       for (int step = 0; step <= 5 * kSpeedSteps; step += 37) {
         const double octave = static_cast<double>(step) / kSpeedSteps;
@@ -75,10 +76,10 @@ TEST(SpeedTerms, AreWithinTheirToleranceOfEveryBandAtEverySpeed) {
 TEST(SpeedTerms, AreASingleOneWhereNothingMovesAndAtBandCentres) {
   const FilterBank filters(Decomposition::kCortexEnergy, 6, 6);
   const SpeedLevels levels = speedLevels(Eye::kTracking);
-  const SpeedTerms still = speedTerms(filters, 3, aqm(40.0), levels, 0, 0, 0.01);
+  const SpeedTerms still = speedTerms(filters, 3, aqm(40.0), {}, levels, 0, 0, 0.01);
   ASSERT_EQ(still.shapes.size(), 1u);
   ASSERT_EQ(still.coefficients[0].size(), 1u);
-  EXPECT_EQ(speedTerms(filters, 3, aqm2000(40.0), levels, 0, 9, 0.01).shapes.size(), 1u);
+  EXPECT_EQ(speedTerms(filters, 3, aqm2000(40.0), {}, levels, 0, 9, 0.01).shapes.size(), 1u);
 }
 
 TEST(SpeedSteps, AreTheLogarithmOfTheChannelsSpeed) {
@@ -242,6 +243,8 @@ TEST(FastExecution, FindsWhatThePlainOneFindsInEveryCoveredSetting) {
   };
   with("amplitude filters", [](Settings& s) { s.decomposition = Decomposition::kCortexAmplitude; });
   with("band centres", [](Settings& s) { s.csfPlacement = CsfPlacement::kBandCentres; });
+  with("another CSF", [](Settings& s) { s.csf = Csf::kDalyMoving; });
+  with("strong masking", [](Settings& s) { s.masking.strength = 2.0; });
   with("fixating", [](Settings& s) { s.eye = Eye::kFixating; });
   with("stabilised", [](Settings& s) { s.eye = Eye::kStabilised; });
   with("one orientation", [](Settings& s) { s.orientations = 1; });

@@ -106,6 +106,14 @@ TEST(DifferenceSum, IsElevatedByTheFrameThatIsTheMask) {
   EXPECT_NEAR(powerWith(Elevation::kNone, MaskSource::kMutual, 3), expected(1.0), 1e-5 * expected(1.0));
 }
 
+// T(2 m) instead of T(m).
+TEST(DifferenceSum, IsElevatedMoreByAStrongerMasking) {
+  DifferenceSum sum({9, 4}, 6, Masking{.strength = 2.0});
+  sum.add(responsesOf({9, 4}, 3.0f, 1.0f), 2);
+  const double expected = std::pow(2.0 / thresholdElevation(2.0), 3.5);
+  EXPECT_NEAR(sum.powers().row(2)[5], expected, 1e-5 * expected);
+}
+
 TEST(DifferenceSum, OfAPointDoesNotSpreadItsElevation) {
   const Size size{31, 3};
   Responses responses = responsesOf(size, 1.0f, 0.0f);

@@ -78,6 +78,11 @@ TEST_F(RenderedFrame, WithNoiseIsJudgedTheSameFastAndPlainly) {
 TEST_F(RenderedFrame, IsJudgedTheSameFastAndPlainlyOnAnyDisplay) {
   for (const double ppd : {20.0, 32.0, 60.0, 120.0}) {
     expectClose(tests::departure(warped(2.0), frame_, forward(), aqm(ppd)));
+    expectClose(tests::departure(warped(2.0), frame_, forward(), revisedAqm(ppd)));
+    // Nothing is pooled: the largest departure is that of a single pixel.
+    const tests::Departure sharp = tests::departure(warped(2.0), frame_, forward(), aqm2000(ppd));
+    EXPECT_LT(sharp.sharp, 0.1);
+    EXPECT_LT(sharp.percent, 0.2);
   }
 }
 
