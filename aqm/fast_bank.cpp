@@ -5,14 +5,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 
 #include "aqm/fast_filters.h"
 #include "aqm/fourier.h"
 #include "aqm/gaussian.h"
-#include "aqm/masking_rows.h"
+#include "aqm/grid_masking.h"
 #include "aqm/passband.h"
 #include "aqm/transpose.h"
 
@@ -24,10 +22,6 @@ constexpr double kTolerance = 0.02;
 /// Two cache lines of complex floats: the unit of transposition.
 constexpr int kRowsPerBlock = 16;
 constexpr int kColumnsPerBlock = 4;
-constexpr int kStripWidth = 256;
-
-template <class T>
-using PerFrame = std::array<T, 2>;
 
 /// The channels of one band, one after the other.
 class FastBand {
@@ -37,25 +31,17 @@ class FastBand {
       : plan_(plan),
         layout_(layout),
         filters_(filters),
-        masking_(settings.masking),
         spectra_(spectra),
         plans_(plan.grid.padded),
-        kernel_(masking_.extent == MaskExtent::kChannel ? 0.375 * std::ldexp(1.0, plan.band) / plan.grid.step
-                                                        : kPointSigma),
+        masking_(plan.band, plan.grid, layout.image, settings.masking),
         radial_(radialPlanes(filters, plan.band, plan.terms, layout, plan.grid)) {
     const Size sites = plan.grid.sites;
     const int apron = plan.grid.apron;
-    const int radius = kernel_.radius();
-    across_ = reflectionsOf(layout.image.width, sites.width, plan.grid.step, radius);
-    down_ = reflectionsOf(layout.image.height, sites.height, plan.grid.step, radius);
     for (std::size_t frame = 0; frame < 2; ++frame) {
       for (std::size_t m = 0; m < radial_.size(); ++m) {
         columns_[frame].emplace_back(plan.grid.padded.height, radial_[m].height());
       }
       responses_[frame] = Plane<float>(sites.width + 2 * apron, sites.height + 2 * apron);
-      if (masks(frame)) {
-        elevations_[frame] = Plane<float>(sites.width, sites.height + 2 * radius);
-      }
     }
   }
 
@@ -64,28 +50,21 @@ class FastBand {
            Plane<float>& powers) {
     transformColumns(orientation, fan);
     transformRows(steps);
-    addPowers(powers);
+    masking_.addPowers(responses_, powers);
   }
 
  private:
-  static constexpr double kPointSigma = 0.01;
-
   struct Scratch {
-    Scratch(const Grid& grid, int radius, std::size_t terms)
+    Scratch(const Grid& grid, const GridMasking& masking, std::size_t terms)
         : rows(grid.padded.width / 2 + 1, kRowsPerBlock),
           filtered(grid.padded.width + 2 * grid.apron, 1),
           weights(grid.sites.width + 2 * grid.apron, static_cast<int>(terms) * kRowsPerBlock),
-          extended(grid.sites.width, radius, Border::kReflect) {}
+          extended(masking.extendedRow()) {}
     Spectrum rows;
     Plane<float> filtered;
     Plane<float> weights;  ///< of term m in row i: row m * kRowsPerBlock + i
     ExtendedRow extended;
   };
-
-  [[nodiscard]] bool masks(std::size_t frame) const {
-    const MaskSource other = frame == 0 ? MaskSource::kReference : MaskSource::kTest;
-    return masking_.elevation != Elevation::kNone && masking_.source != other;
-  }
 
   /// Filters each column of the spectra for every term and transforms it. Sets passed_.
   void transformColumns(int orientation, const Plane<float>& fan) {
@@ -167,7 +146,7 @@ class FastBand {
     const int height = responses_[0].height();
     const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
     tbb::enumerable_thread_specific<Scratch> scratches(
-        [&] { return Scratch(grid, kernel_.radius(), radial_.size()); });
+        [&] { return Scratch(grid, masking_, radial_.size()); });
     tbb::parallel_for(0, blocks, [&](int block) {
       Scratch& scratch = scratches.local();
       const int begin = block * kRowsPerBlock;
@@ -197,10 +176,9 @@ class FastBand {
             accumulate(scratch, m, y - begin, steps != nullptr, responses_[frame].row(y));
           }
         }
-        if (masks(frame)) {
+        if (masking_.masks(frame)) {
           for (int y = std::max(begin, grid.apron); y < std::min(end, height - grid.apron); ++y) {
-            elevateRow(responses_[frame].row(y), scratch.extended,
-                       elevations_[frame].row(y - grid.apron + kernel_.radius()));
+            masking_.elevateRow(frame, y - grid.apron, responses_[frame].row(y), scratch.extended);
           }
         }
       }
@@ -229,150 +207,16 @@ class FastBand {
     }
   }
 
-  void elevateRow(const float* responses, ExtendedRow& extended, float* to) const {
-    const int width = plan_.grid.sites.width;
-    float* samples = extended.samples();
-    elevateByUnitKnee(responses + plan_.grid.apron, masking_.strength, samples,
-                      (width + kPlaneUnit - 1) / kPlaneUnit * kPlaneUnit);
-    const auto between = [&](const Reflection& r) {
-      return r.weight == 0.0f ? samples[r.site]
-                              : samples[r.site] + r.weight * (samples[r.site + 1] - samples[r.site]);
-    };
-    const int radius = kernel_.radius();
-    for (int i = 0; i < radius; ++i) {
-      samples[i - radius] = between(across_.before[static_cast<std::size_t>(i)]);
-      samples[width + i] = between(across_.after[static_cast<std::size_t>(i)]);
-    }
-    kernel_.weightedSum(extended.taps(), to,
-                        elevations_[0].width() > 0 ? elevations_[0].stride() : elevations_[1].stride());
-  }
-
-  /// The rows of an elevation beyond the first and the last site.
-  void extendDown(Plane<float>& elevation) const {
-    const int radius = kernel_.radius();
-    const auto fill = [&](int y, const Reflection& r) {
-      const float* above = elevation.row(radius + r.site);
-      const float* below = r.weight == 0.0f ? above : elevation.row(radius + r.site + 1);
-      std::transform(above, above + elevation.stride(), below, elevation.row(y),
-                     [&](float a, float b) { return a + r.weight * (b - a); });
-    };
-    for (int i = 0; i < radius; ++i) {
-      fill(i, down_.before[static_cast<std::size_t>(i)]);
-      fill(radius + plan_.grid.sites.height + i, down_.after[static_cast<std::size_t>(i)]);
-    }
-  }
-
-  /// What the differences in columns x .. x + count - 1 of row y of the sites are divided by. `elevations`
-  /// has a row for each frame; returns those that count.
-  PerFrame<const float*> divisors(int y, int x, int count, std::vector<const float*>& taps,
-                                  Plane<float>& elevations) const {
-    PerFrame<const float*> result{elevations.row(2), elevations.row(2)};
-    for (std::size_t frame = 0; frame < 2; ++frame) {
-      if (masks(frame)) {
-        for (std::size_t t = 0; t < taps.size(); ++t) {
-          taps[t] = elevations_[frame].row(y + static_cast<int>(t)) + x;
-        }
-        kernel_.weightedSum(taps.data(), elevations.row(static_cast<int>(frame)), count);
-        result[frame] = elevations.row(static_cast<int>(frame));
-        if (!masks(1 - frame)) {
-          result[1 - frame] = result[frame];
-        }
-      }
-    }
-    return result;
-  }
-
-  template <class Body>
-  void forEachStrip(int height, int stride, const Body& body) const {
-    const auto taps = static_cast<std::size_t>(2 * kernel_.radius() + 1);
-    const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
-    tbb::parallel_for(0, blocks, [&](int block) {
-      Plane<float> elevations(kStripWidth, 3);
-      std::fill_n(elevations.row(2), kStripWidth, 1.0f);
-      std::vector<const float*> tapped(taps);
-      const int end = std::min((block + 1) * kRowsPerBlock, height);
-      for (int x = 0; x < stride; x += kStripWidth) {
-        const int count = std::min(kStripWidth, stride - x);
-        for (int y = block * kRowsPerBlock; y < end; ++y) {
-          body(y, x, count, divisors(y, x, count, tapped, elevations));
-        }
-      }
-    });
-  }
-
-  void addPowers(Plane<float>& powers) {
-    for (std::size_t frame = 0; frame < 2; ++frame) {
-      if (masks(frame)) {
-        extendDown(elevations_[frame]);
-      }
-    }
-    if (plan_.grid.step == 1) {
-      forEachStrip(powers.height(), powers.stride(),
-                   [&](int y, int x, int count, const PerFrame<const float*>& divisor) {
-                     addDifferences(responses_[0].row(y) + x, responses_[1].row(y) + x, divisor[0],
-                                    divisor[1], powers.row(y) + x, count);
-                   });
-      return;
-    }
-    const Size sites = plan_.grid.sites;
-    Plane<float> lesser(sites.width, sites.height);
-    forEachStrip(sites.height, lesser.stride(),
-                 [&](int y, int x, int count, const PerFrame<const float*>& divisor) {
-                   std::transform(divisor[0], divisor[0] + count, divisor[1], lesser.row(y) + x,
-                                  [](float a, float b) { return std::min(a, b); });
-                 });
-    Plane<float>& change = responses_[0];
-    tbb::parallel_for(0, change.height(), [&](int y) {
-      std::transform(change.row(y), change.row(y) + change.stride(), responses_[1].row(y), change.row(y),
-                     std::minus<>());
-    });
-    tbb::parallel_for(0, powers.height(), [&](int y) { addInterpolatedPowers(change, lesser, y, powers); });
-  }
-
-  /// Row y of the grid of half the step.
-  void addInterpolatedPowers(const Plane<float>& change, const Plane<float>& elevation, int y,
-                             Plane<float>& powers) const {
-    const int apron = plan_.grid.apron;
-    Plane<float> rows(change.width(), 2);
-    Plane<float> fine(powers.width() + 1, 3);
-    const float* above = change.row(y / 2 + apron);
-    const float* elevationAbove = elevation.row(y / 2);
-    const float* elevationBelow = elevation.row((y + 1) / 2);
-    for (int x = 0; x < change.width(); ++x) {
-      rows.row(0)[x] = y % 2 == 0 ? above[x] : halfway(above + x, change.stride());
-    }
-    for (int x = 0; x < elevation.width(); ++x) {
-      rows.row(1)[x] = 0.5f * (elevationAbove[x] + elevationBelow[x]);
-    }
-    const float* changes = rows.row(0) + apron;
-    const float* elevations = rows.row(1);
-    // Row 2 stays zero: the difference to no response.
-    std::fill_n(fine.row(1), fine.stride(), 1.0f);
-    for (int x = 0; 2 * x < powers.width(); ++x) {
-      fine.row(0)[2 * x] = changes[x];
-      fine.row(1)[2 * x] = elevations[x];
-      if (2 * x + 1 < powers.width()) {
-        fine.row(0)[2 * x + 1] = halfway(changes + x, 1);
-        fine.row(1)[2 * x + 1] = 0.5f * (elevations[x] + elevations[x + 1]);
-      }
-    }
-    addDifferences(fine.row(0), fine.row(2), fine.row(1), fine.row(1), powers.row(y), powers.stride());
-  }
-
   const BandPlan& plan_;
   const Layout& layout_;
   const FilterBank& filters_;
-  const Masking masking_;
   const PerFrame<const Spectrum*> spectra_;
   const FourierPlans plans_;
-  const GaussianKernel kernel_;
+  GridMasking masking_;
   const std::vector<Plane<float>> radial_;  ///< one per term
-  Reflections across_;
-  Reflections down_;
   Interval passed_;
   PerFrame<std::vector<Spectrum>> columns_;  ///< filtered, transformed along the columns; one per term
   PerFrame<Plane<float>> responses_;
-  PerFrame<Plane<float>> elevations_;  ///< low-passed along the rows only
 };
 
 }  // namespace
