@@ -110,9 +110,9 @@ struct Settings {
 [[nodiscard]] Settings aqm(double pixelsPerDegree);
 
 /// aqm() with Daly's CSF at rest, moved as Kelly's (Csf::kDalyMoving), and the gain that fits Gabor patches
-/// then. Fits published thresholds better in every respect (docs/validation.md), and adapts to the frames'
-/// luminance; not the default, because verdicts of aqm() are what the other numbers of this project were
-/// measured with.
+/// then; adapts to the frames' luminance. Fits thresholds of still patterns, edges in noise and slow flicker
+/// better than aqm(), flicker above 16 Hz worse (docs/validation.md). Not the default: the project's other
+/// numbers are aqm()'s.
 [[nodiscard]] Settings revisedAqm(double pixelsPerDegree);
 
 /// The animation quality metric as published (Myszkowski, Rokita, Tawara 2000): Daly's filters, the CSF taken

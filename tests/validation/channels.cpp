@@ -97,35 +97,46 @@ void reportSummation(Report& report) {
 void reportContrastMasking(Report& report) {
   report.heading("Contrast masking: sine on sine");
   report.text(
-      "Threshold of a 2 cycles per degree Gabor (sigma 0.5 degrees) on the same Gabor as a mask. Literature "
-      "(Legge, Foley 1980; "
-      "Nachmias, Sansbury 1974): a faint mask helps by a factor of 2 to 3 (the dipper), a strong one "
-      "elevates with a slope of 0.6 to "
-      "0.7; noise masks with slope 1.");
+      "Threshold of a 2 cycles per degree Gabor (sigma 0.5 degrees) on the same Gabor as a mask, and on a "
+      "grating that fills the frame. "
+      "Literature (Legge, Foley 1980; Nachmias, Sansbury 1974): a faint mask helps by a factor of 2 to 3 "
+      "(the dipper), a strong one "
+      "elevates with a slope of 0.6 to 0.7, a large mask as a small one does; noise masks with slope 1.");
   const Raster patch = rasterOf(kSize, kPpd, gabor(2.0, 90.0, 0.5, 0.5));
+  const Raster bars = rasterOf(kSize, kPpd, grating(2.0, 90.0));
   std::vector<Series> series;
-  std::vector<std::vector<std::string>> table{{"metric", "least elevation dB", "slope from 5 to 40 %"}};
+  std::vector<std::vector<std::string>> table{
+      {"metric", "least elevation dB", "slope from 5 to 40 %, Gabor as mask", "grating as mask"}};
   for (const Named& kind : metrics(kPpd)) {
     Series one{kind.name, {}, {}, Mark::kLine};
+    std::vector<double> onBars;
     const double alone = thresholdOn(patch, nothing(), kind.settings);
     for (const double contrast : {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.4}) {
       one.x.push_back(contrast);
       one.y.push_back(thresholdOn(patch, scaled(patch, contrast), kind.settings) / alone);
     }
+    for (const double contrast : {0.05, 0.4}) {
+      onBars.push_back(thresholdOn(patch, scaled(bars, contrast), kind.settings));
+    }
     table.push_back({kind.name, fixed(decibels(*std::ranges::min_element(one.y)), 1),
-                     fixed(std::log(one.y[8] / one.y[5]) / std::log(8.0), 2)});
+                     fixed(std::log(one.y[8] / one.y[5]) / std::log(8.0), 2),
+                     fixed(std::log(onBars[1] / onBars[0]) / std::log(8.0), 2)});
     series.push_back(one);
   }
   report.plot("contrast_masking", "Threshold elevation by the same Gabor",
               {"mask contrast", Scale::kLogarithmic}, {"threshold / unmasked", Scale::kLogarithmic}, series);
   report.table(table);
-  report.verdict("Contrast masking in phase",
-                 "slopes " + table[1][2] + " (aqm), " + table[2][2] + " (revised), " + table[4][2] + " (vdp)",
-                 "0.6 to 0.7 is expected; none has the dipper");
+  report.verdict(
+      "Contrast masking in phase",
+      "slopes on the same Gabor " + table[1][2] + " (aqm), " + table[2][2] + " (revised), " + table[4][2] +
+          " (vdp); on a grating " + table[1][3] + ", " + table[2][3] + ", " + table[4][3],
+      "0.6 to 0.7 is expected: fits where mask and test share their channels, not on a grating; no dipper");
   report.text(
-      "No metric here has the dipper: thresholds are elevated, never lowered. A slope of 1 within a channel "
-      "becomes less over all "
-      "channels, because a strong mask is evaded in those beside it.");
+      "Thresholds are never lowered: there is no dipper. On a grating, which is in fewer channels than the "
+      "Gabor, the Gabor is found by "
+      "channels beside it that the grating leaves alone: in the eye channels mask one another, here they do "
+      "not. Clean periodic "
+      "backgrounds therefore mask too little; the metric errs towards visible.");
 }
 
 void reportChannelShapes(Report& report) {

@@ -84,7 +84,8 @@ void reportEdgesInNoise(Report& report, const std::filesystem::path& data) {
       "in noise of 20 % rms. "
       "Measured: contrast of 75 % correct, maximum likelihood over all observers. Predicted: mean of four "
       "noises of the same "
-      "spectrum (the experiment's own are not published). Threshold elevation is what masking adds.");
+      "spectrum (re-created: narrow bands as Gaussians of one octave). Threshold elevation is what masking "
+      "adds.");
   constexpr Size kSize{176, 176};
   constexpr double kPpd = 44.0;
   const std::vector<Row> rows = readTable(data / "edges_in_noise_0.15.csv");

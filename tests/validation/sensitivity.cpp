@@ -80,8 +80,10 @@ void reportSensitivities(Report& report, const std::filesystem::path& data) {
         series.back().y.push_back(predicted);
       }
     }
-    report.verdict("Robson, flicker up to 16 Hz, `" + kind.name + "`", fitText(errors),
-                   "shape to 5 to 6 dB; observers see more");
+    report.verdict("Robson, flicker, `" + kind.name + "`",
+                   "up to 16 Hz " + fitText(errors) + "; above: bias " + fixed(mean(fast), 1) +
+                       ", around the bias " + fixed(deviation(fast), 1) + " dB",
+                   "does not fit closely; up to 16 Hz observers see more");
     report.text("Robson, `" + kind.name + "`, up to 16 Hz (" + std::to_string(errors.size()) +
                 " gratings): " + fitText(errors) + "; above, " + std::to_string(fast.size()) +
                 " gratings: " + fitText(fast) + ".");
@@ -105,7 +107,7 @@ void reportSensitivities(Report& report, const std::filesystem::path& data) {
   report.table(table);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     report.verdict("Virsu, still gratings, `" + kinds[i].name + "`", fitText(errors[i]),
-                   deviation(errors[i]) < 3.5 ? "shape fits; observers see more" : "shape does not fit");
+                   deviation(errors[i]) < 3.5 ? "shape fits; observers see much more" : "shape does not fit");
   }
 }
 
