@@ -44,6 +44,10 @@ void addRender(CLI::App& verb, RenderOptions& o) {
                   "Light transport: path (unbiased), or walkthrough (light on matt surfaces solved once for "
                   "the whole walk)")
       ->capture_default_str();
+  verb.add_option(
+      "--light-solution", o.lightSolution,
+      "File that keeps the light of --integrator walkthrough for later renders of the scene (default: "
+      "DIR/light-solution.bin)");
   verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
   verb.add_option("--tone", o.tone, "Tone curve: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops, or 'auto': one value for the walk")

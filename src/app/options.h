@@ -24,6 +24,7 @@ struct RenderOptions {
   std::string spacing = "16";
   std::string method = "ibr";
   std::string integrator = "path";
+  std::string lightSolution;  ///< empty: DIR/light-solution.bin
   std::string display = "fhd-24";
   std::string tone = "neutral";
   std::string exposure = "auto";

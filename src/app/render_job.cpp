@@ -133,4 +133,13 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
   return f.text();
 }
 
+std::string lightHash(const RenderOptions& options, const Scene& scene) {
+  Fingerprint f;
+  f.add(std::string(PROMENADE_VERSION));
+  addFile(f, options.scene);
+  addScene(f, scene);
+  f.add(options.seed);
+  return f.text();
+}
+
 }  // namespace promenade::app

@@ -46,4 +46,7 @@ struct RenderValues {
 [[nodiscard]] std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings,
                                   const Scene& scene, const paths::CameraPath& path);
 
+/// Equal for scenes and seeds whose light solution is the same.
+[[nodiscard]] std::string lightHash(const RenderOptions& options, const Scene& scene);
+
 }  // namespace promenade::app

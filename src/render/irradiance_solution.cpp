@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
@@ -283,21 +284,36 @@ constexpr int kCoarsestStride = 32, kFinestStride = 2;  ///< display pixels
 /// How often light is followed from what the cameras see to what sends it there.
 constexpr int kBounceLevels = 2;
 
-IrradianceRecords coarseRecords(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera> cameras,
-                                const SolutionSettings& settings) {
-  IrradianceRecords records;
+void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera> cameras,
+                  const SolutionSettings& settings, IrradianceRecords& records) {
   Placer placer(tracer, settings, settings.coarse, records);
+  const std::size_t before = records.places().size();
   for (const Camera& camera : cameras) placer.placeSeen(camera, kCoarsestStride);
-  std::size_t first = 0;
+  std::size_t first = before;
   for (int bounce = 0; bounce < kBounceLevels; ++bounce) {
     const std::size_t last = records.places().size();
     placer.placeBounces(first, last);
     first = last;
   }
-  gatherer.gather(records, 0, gatherer.coarse());
-  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{records, {}, {}}));
-  gatherer.gather(records, 0, gatherer.coarse());
-  return records;
+  gatherer.gather(records, before, gatherer.coarse());
+  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{records, {}, {}, {}}));
+  gatherer.gather(records, before, gatherer.coarse());
+}
+
+std::uint64_t fingerprint(const Camera& camera) {
+  std::uint64_t state = 0xcbf29ce484222325ull;  // FNV-1a, a word at a time
+  const auto add = [&state](double value) {
+    state = (state ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3ull;
+    state ^= state >> 29;
+  };
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) add(camera.pose().worldFromCamera[c][r]);
+    add(camera.pose().eye[c]);
+  }
+  add(camera.verticalFieldOfView());
+  add(camera.size().width);
+  add(camera.size().height);
+  return state;
 }
 
 }  // namespace
@@ -309,15 +325,27 @@ std::optional<SurfaceLight> LightSolution::at(const glm::vec3& position, const g
 
 std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer, std::span<const Camera> cameras,
                                                      const SolutionSettings& settings,
+                                                     const std::shared_ptr<const LightSolution>& known,
                                                      const ProgressCallback& progress) {
-  LightSolution solution;
+  LightSolution solution = known ? *known : LightSolution{};
+  std::vector<Camera> added;
+  for (const Camera& camera : cameras) {
+    const std::uint64_t name = fingerprint(camera);
+    if (std::find(solution.cameras.begin(), solution.cameras.end(), name) != solution.cameras.end()) continue;
+    solution.cameras.push_back(name);
+    added.push_back(camera);
+  }
+  if (known && added.empty()) return known;
+
   Gatherer gatherer(tracer, settings, progress);
-  solution.coarse = coarseRecords(tracer, gatherer, cameras, settings);
-  tracer.setSolution(std::make_shared<const LightSolution>(solution));
+  if (known)
+    tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{known->coarse, {}, {}, {}}));
+  extendCoarse(tracer, gatherer, added, settings, solution.coarse);
+  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{solution.coarse, {}, {}, {}}));
   Placer placer(tracer, settings, settings.fine, solution.fine);
   for (int stride = kCoarsestStride / 2; stride >= kFinestStride; stride /= 2) {
     const std::size_t before = solution.fine.places().size();
-    for (const Camera& camera : cameras) placer.placeSeen(camera, stride);
+    for (const Camera& camera : added) placer.placeSeen(camera, stride);
     gatherer.gather(solution.fine, before, gatherer.fine());
   }
   solution.rays = gatherer.rays();

@@ -46,7 +46,7 @@ struct SolutionSettings {
   int coarsePaths = 128;  ///< per record
   int pathsPerBatch = 256;
   int leastBatches = 2;
-  int mostBatches = 16;
+  int mostBatches = 4;
   /// Gathering ends when the standard error of a record's luminance is below this share of it: that of
   /// independent paths, which stratification keeps well below.
   float relativeError = 0.03f;
@@ -54,20 +54,20 @@ struct SolutionSettings {
   std::function<void()> checkpoint = {};  ///< as in PathSettings
 };
 
-/// `cameras`: the walk's, at display resolution; the more of them, the less is left uncovered. The result
-/// does not depend on the number of threads. `progress` may be empty. `rays` counts what was traced. Leaves
-/// the tracer with the solution.
+/// `known`: as for solveLight(). `cameras`: the walk's, at display resolution; the more of them, the less is
+/// left uncovered. The result does not depend on the number of threads. `progress` may be empty. `rays`
+/// counts what was traced. Leaves the tracer with the solution.
 struct LightSolution {
   IrradianceRecords coarse;  ///< for bounces
   IrradianceRecords fine;    ///< for what is seen
   PathRays rays;
+  std::vector<std::uint64_t> cameras;  ///< fingerprints of those it was made for
 
   /// Nothing where neither knows.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
 };
-[[nodiscard]] std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer,
-                                                                   std::span<const Camera> cameras,
-                                                                   const SolutionSettings& settings,
-                                                                   const ProgressCallback& progress);
+[[nodiscard]] std::shared_ptr<const LightSolution> solveIrradiance(
+    PathTracer& tracer, std::span<const Camera> cameras, const SolutionSettings& settings,
+    const std::shared_ptr<const LightSolution>& known, const ProgressCallback& progress);
 
 }  // namespace promenade::render

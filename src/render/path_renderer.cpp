@@ -232,6 +232,7 @@ std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSetting
 
 std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSettings& settings,
                                                 std::span<const Camera> cameras,
+                                                const std::shared_ptr<const LightSolution>& known,
                                                 const ProgressCallback& progress) {
   validate(settings);
   PathSettings unbiased = settings;
@@ -241,7 +242,7 @@ std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSe
   solution.seed = seedOf(settings);
   solution.checkpoint = settings.checkpoint;
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return solveIrradiance(tracer, cameras, solution, progress); });
+  return arena.execute([&] { return solveIrradiance(tracer, cameras, solution, known, progress); });
 }
 
 }  // namespace promenade::render

@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "src/core/camera.h"
 #include "src/core/progress.h"
@@ -61,10 +63,24 @@ struct PathSettings {
 [[nodiscard]] std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings);
 
 /// Computes what the walk of `cameras` (at display resolution) looks at. Uses settings.seed, threads,
-/// maxBounces and checkpoint; the result does not depend on the number of threads. `progress` may be empty.
-[[nodiscard]] std::shared_ptr<const LightSolution> solveLight(const Scene& scene,
-                                                              const PathSettings& settings,
-                                                              std::span<const Camera> cameras,
-                                                              const ProgressCallback& progress);
+/// maxBounces and checkpoint; the result does not depend on the number of threads. `known`, of the same
+/// scene, is extended where cameras that it was not made for look; it is returned as it is if there are none.
+/// May be null. `progress` may be empty.
+[[nodiscard]] std::shared_ptr<const LightSolution> solveLight(
+    const Scene& scene, const PathSettings& settings, std::span<const Camera> cameras,
+    const std::shared_ptr<const LightSolution>& known, const ProgressCallback& progress);
+
+/// What a solution holds.
+struct LightSolutionSize {
+  std::size_t records = 0;
+  std::size_t cameras = 0;
+};
+[[nodiscard]] LightSolutionSize sizeOf(const LightSolution& solution);
+
+/// A solution as the contents of a file (docs/formats.md); `key` names what it is the light of.
+[[nodiscard]] std::string toBytes(const LightSolution& solution, std::string_view key);
+/// The reverse; null if the bytes are no solution, of another version, damaged, or of another key.
+[[nodiscard]] std::shared_ptr<const LightSolution> lightSolutionFrom(std::string_view bytes,
+                                                                     std::string_view key);
 
 }  // namespace promenade::render

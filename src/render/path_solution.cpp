@@ -16,7 +16,7 @@ constexpr float kLeastTraced = 0.002f;
 constexpr float kFaint = 0.25f;
 /// Whatever sends back more (and diffuse light where the solution knows none) gets up to this many times the
 /// paths, until the standard error of a sample (without what stratification saves) is this share of it.
-constexpr int kMostBatches = 16;
+constexpr int kMostBatches = 8;
 constexpr float kStrongNoise = 0.03f;
 /// From this roughness on the reflection seen directly is taken from the solution too: its lobe is nearly as
 /// wide as the hemisphere, and a few paths would only add noise to it.

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "src/render/irradiance_records.h"
@@ -155,7 +156,7 @@ TEST(RadianceOnTurned, LosesTheShareOfAUniformSkyThatSinksBelowTheHorizon) {
 // --- Whole renders ---
 
 double meanWithSolution(const Scene& scene, const Camera& camera, PathSettings settings) {
-  settings.solution = solveLight(scene, settings, std::span(&camera, 1), {});
+  settings.solution = solveLight(scene, settings, std::span(&camera, 1), nullptr, {});
   return tests::meanRadiance(makePathRenderer(scene, settings)->render(camera, 0)).y;
 }
 
@@ -221,6 +222,61 @@ TEST(LightSolution, AgreesWithPathsUnderAPanel) {
   EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), paths, 0.02 * paths);
 }
 
+/// A ball on a floor under a sky, from either side.
+Scene ballScene() {
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.5f)));
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.8f)));
+  tests::place(scene, tests::sphere({0, 0.5f, 0}, 0.5f, 24, 12, 1));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  return scene;
+}
+const std::array<Camera, 2> kSides = {tests::lookingAt({0.0, 1.0, 3.0}, {0, 0.3, 0}, {32, 24}, 0.7),
+                                      tests::lookingAt({0.0, 1.0, -3.0}, {0, 0.3, 0}, {32, 24}, 0.7)};
+
+TEST(LightSolution, ComesBackFromItsBytesAsItWas) {
+  const Scene scene = ballScene();
+  const auto solution = solveLight(scene, fewPaths(), std::span(kSides).first(1), nullptr, {});
+  const std::string bytes = toBytes(*solution, "ball");
+  const auto again = lightSolutionFrom(bytes, "ball");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(toBytes(*again, "ball"), bytes);
+  EXPECT_EQ(sizeOf(*again).records, sizeOf(*solution).records);
+  EXPECT_EQ(sizeOf(*again).cameras, 1u);
+  PathSettings before = fewPaths();
+  before.solution = solution;
+  PathSettings after = fewPaths();
+  after.solution = again;
+  const Frame a = makePathRenderer(scene, before)->render(kSides[0], 0);
+  const Frame b = makePathRenderer(scene, after)->render(kSides[0], 0);
+  EXPECT_THAT(b.diffuse.pixels(), testing::ElementsAreArray(a.diffuse.pixels()));
+}
+
+TEST(LightSolution, RefusesOtherAndDamagedBytes) {
+  const auto solution = solveLight(ballScene(), fewPaths(), std::span(kSides).first(1), nullptr, {});
+  const std::string bytes = toBytes(*solution, "ball");
+  EXPECT_FALSE(lightSolutionFrom(bytes, "another ball"));
+  EXPECT_FALSE(lightSolutionFrom("", "ball"));
+  EXPECT_FALSE(lightSolutionFrom("PromenadeLight1\n", "ball"));
+  for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{30}}) {
+    EXPECT_FALSE(lightSolutionFrom(bytes.substr(0, length), "ball")) << length;
+  }
+  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 37) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x40);
+    EXPECT_FALSE(lightSolutionFrom(damaged, "ball")) << i;
+  }
+}
+
+TEST(LightSolution, IsExtendedOnlyForNewCameras) {
+  const Scene scene = ballScene();
+  const auto front = solveLight(scene, fewPaths(), std::span(kSides).first(1), nullptr, {});
+  EXPECT_EQ(solveLight(scene, fewPaths(), std::span(kSides).first(1), front, {}), front);
+  const auto both = solveLight(scene, fewPaths(), kSides, front, {});
+  EXPECT_EQ(sizeOf(*both).cameras, 2u);
+  EXPECT_GT(sizeOf(*both).records, sizeOf(*front).records);
+  EXPECT_EQ(solveLight(scene, fewPaths(), kSides, both, {}), both);
+}
+
 TEST(LightSolution, IsTheSameForAnyNumberOfThreads) {
   Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.5f)));
   scene.materials.push_back(tests::diffuseMaterial(Rgb(0.8f)));
@@ -231,8 +287,8 @@ TEST(LightSolution, IsTheSameForAnyNumberOfThreads) {
   one.threads = 1;
   PathSettings two = fewPaths();
   two.threads = 2;
-  one.solution = solveLight(scene, one, std::span(&camera, 1), {});
-  two.solution = solveLight(scene, two, std::span(&camera, 1), {});
+  one.solution = solveLight(scene, one, std::span(&camera, 1), nullptr, {});
+  two.solution = solveLight(scene, two, std::span(&camera, 1), nullptr, {});
   const Frame a = makePathRenderer(scene, one)->render(camera, 0);
   const Frame b = makePathRenderer(scene, two)->render(camera, 0);
   for (std::size_t i = 0; i < a.diffuse.pixels().size(); ++i) {
