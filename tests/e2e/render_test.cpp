@@ -1,5 +1,6 @@
 // `promenade render` from the outside.
 
+#include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -16,6 +17,7 @@ namespace promenade::e2e {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
 // Small and quick; `more` is appended.
@@ -50,6 +52,33 @@ TEST_F(Render, WritesFramesVideoAndReport) {
   EXPECT_LE(report["totals"]["traced_fraction"].get<double>(), 1.0);
   EXPECT_EQ(run({"compare", at("out"), at("out"), "--quiet"}).status, 0);
   expectOnlyWholeFiles(folder_);
+}
+
+TEST_F(Render, KeepsTheLightSolutionForLaterRendersOfTheScene) {
+  const auto scene = writeScene(folder_, "scene", With::kAll);
+  const auto solved = [&](const std::string& out, const Arguments& more) {
+    Arguments all = render(scene, at(out), {"--integrator", "walkthrough", "--frames", "0-2"});
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = run(all);
+    expectDone(outcome);
+    return outcome.err;
+  };
+  solved("first", {"--light-solution", at("light.bin")});
+  const std::string light = contents(at("light.bin"));
+  EXPECT_THAT(solved("second", {"--light-solution", at("light.bin")}), HasSubstr("used again"));
+  EXPECT_EQ(contents(at("light.bin")), light);
+  solved("third", {});  // in its own folder, made anew
+  EXPECT_EQ(contents(at("third/light-solution.bin")), light);
+  for (const char* frame : {"frames/000000.exr", "frames/000001.exr", "frames/000002.exr"}) {
+    EXPECT_EQ(contents(at("second") + "/" + frame), contents(at("first") + "/" + frame)) << frame;
+  }
+  // Another seed is another light; a damaged file is none: both are made anew and replaced.
+  EXPECT_THAT(solved("fourth", {"--light-solution", at("light.bin"), "--seed", "1"}),
+              HasSubstr("computed anew"));
+  EXPECT_NE(contents(at("light.bin")), light);
+  std::ofstream(at("light.bin"), std::ios::binary) << light.substr(0, light.size() / 2);
+  EXPECT_THAT(solved("fifth", {"--light-solution", at("light.bin")}), HasSubstr("computed anew"));
+  EXPECT_EQ(contents(at("light.bin")), light);
 }
 
 TEST_F(Render, GivesTheSameBytesForAnyNumberOfThreads) {
