@@ -15,23 +15,31 @@ std::uint64_t countSelected(const Mask& mask) {
 
 }  // namespace
 
-Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const ItemVerdict& verdict,
-                      const Renderer& renderer) {
+Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
+                      const ItemVerdict& verdict, const Renderer& renderer) {
   Retrace retrace{holes.clone(), Mask(item.size()), {}};
-  std::unordered_map<ItemId, bool> traced;
+  enum class Trust { kWhole, kWhereBothAgree, kNone };
+  std::unordered_map<ItemId, Trust> trusted;
   const auto items = item.pixels();
+  const auto sources = source.pixels();
   const auto hole = retrace.holes.pixels();
   const auto selected = retrace.items.pixels();
   for (std::size_t i = 0; i < items.size(); ++i) {
     const ItemId id = items[i];
     if (id == kNoItem) continue;
-    const auto [entry, isNew] = traced.try_emplace(id);
-    if (isNew) entry->second = renderer.traits(id).viewDependent && !verdict.proven.contains(id);
-    if (entry->second && hole[i] == 0) selected[i] = 1;
+    const auto [entry, isNew] = trusted.try_emplace(id);
+    if (isNew) {
+      entry->second = !renderer.traits(id).viewDependent ? Trust::kWhole
+                      : verdict.proven.contains(id)      ? Trust::kWhereBothAgree
+                                                         : Trust::kNone;
+    }
+    const bool isTraced = entry->second == Trust::kNone ||
+                          (entry->second == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
+    if (isTraced && hole[i] == 0) selected[i] = 1;
   }
   std::vector<ItemId> list;
-  for (const auto& [id, isTraced] : traced) {
-    if (isTraced) list.push_back(id);
+  for (const auto& [id, trust] : trusted) {
+    if (trust == Trust::kNone) list.push_back(id);
   }
   retrace.traced = ItemSet(std::move(list));
   return retrace;
@@ -44,7 +52,8 @@ Inbetween synthesise(WarpedPair&& warped, double t, int frameIndex, const ItemVe
   {
     const Stopwatch watch(seconds.warp);
     blended = ibr::blend(warped.fromFirst, warped.fromLast, std::move(warped.target), t);
-    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, verdict, renderer);
+    retrace =
+        selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, verdict, renderer);
   }
   {
     const Stopwatch watch(seconds.trace);

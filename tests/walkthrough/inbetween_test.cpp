@@ -17,36 +17,44 @@ using tests::Panel;
 
 class SelectRetrace : public testing::Test {
  protected:
-  SelectRetrace() : item(4, 1, kWall), holes(4, 1) {
+  SelectRetrace() : item(4, 1, kWall), holes(4, 1), source(4, 1, SampleSource::kBlended) {
     item(1, 0) = item(2, 0) = kPanel;
     holes(2, 0) = holes(3, 0) = 1;
   }
   AnalyticRenderer renderer{Panel::kMirrorLike};
   ItemBuffer item;
   Mask holes;
+  SourceMap source;
 };
 
 TEST_F(SelectRetrace, TracesHolesAndFailingItemsOnce) {
-  const Retrace retrace = selectRetrace(item, holes, {ItemSet({kPanel}), ItemSet()}, renderer);
+  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet({kPanel}), ItemSet()}, renderer);
   EXPECT_THAT(retrace.holes.pixels(), ElementsAre(0, 0, 1, 1));
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), ElementsAre(kPanel));
 }
 
 TEST_F(SelectRetrace, TracesViewDependentItemsThatWereNeverCompared) {
-  const Retrace retrace = selectRetrace(item, holes, {}, renderer);
+  const Retrace retrace = selectRetrace(item, holes, source, {}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
 }
 
 TEST_F(SelectRetrace, WarpsItemsThatWereProven) {
-  const Retrace retrace = selectRetrace(item, holes, {ItemSet(), ItemSet({kPanel})}, renderer);
+  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet(), ItemSet({kPanel})}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(retrace.traced.items(), IsEmpty());
+}
+
+TEST_F(SelectRetrace, TracesWhatOfAProvenItemOneKeyframeAloneFills) {
+  source(0, 0) = source(1, 0) = SampleSource::kWarpedFromNext;  // the wall and the panel
+  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet(), ItemSet({kPanel})}, renderer);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
 TEST_F(SelectRetrace, NeverTracesItemsThatLookTheSameFromEverywhere) {
   const AnalyticRenderer matt{Panel::kMatt};
-  const Retrace retrace = selectRetrace(item, Mask(4, 1), {}, matt);
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, {}, matt);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
 }
 
