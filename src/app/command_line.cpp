@@ -70,7 +70,14 @@ void addRender(CLI::App& verb, RenderOptions& o) {
 void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("test", o.test, "Image, sequence (folder, dir/%06d.exr, glob) or video")->required();
   verb.add_option("reference", o.reference, "The same kind of thing, of equal size and length")->required();
-  verb.add_option("--metric", o.metric, "aqm, rmse or psnr")->capture_default_str();
+  verb.add_option("--metric", o.metric,
+                  "aqm; aqm2000 (as published); revised (adapts to the frames' luminance); vdp (Daly's, for "
+                  "still images, masked by the reference); model1, model2, model3 (Rushmeier's distances); "
+                  "rmse; psnr")
+      ->capture_default_str();
+  verb.add_option("--eye", o.eye,
+                  "What the eye does as the image moves: tracking (default), fixating or "
+                  "stabilised (not even drift)");
   verb.add_option("--velocity", o.velocity,
                   "Image velocity VX,VY in degrees per second (default: the Vector channels, else 0)");
   verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
@@ -79,7 +86,7 @@ void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_flag("--absolute", o.absolute, "Channel Y of the EXR files is luminance in cd/m2");
   verb.add_option("--tone", o.tone, "Tone curve for EXR frames: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops for EXR frames, or 'auto'")->capture_default_str();
-  verb.add_option("--maps", o.maps, "Folder for an EXR a frame with the maps J, Jp, P");
+  verb.add_option("--maps", o.maps, "Folder for an EXR a frame with the maps J, Jp, P (of vdp also SignedP)");
   verb.add_option("--heatmap", o.heatmap, "Folder for a PNG a frame with the probabilities as colours");
   verb.add_option("--csv", o.csv, "File for a table of the frames");
   verb.add_flag("--json", o.json, "Print JSON instead of the summary");

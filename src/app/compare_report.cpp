@@ -11,7 +11,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double badness(const FrameDifference& f, Metric metric) {
-  return metric == Metric::kAqm ? f.percentVisible : f.rmse;
+  switch (findingOf(metric)) {
+    case Finding::kVisibility:
+      return f.percentVisible;
+    case Finding::kSquaredError:
+      return f.rmse;
+    case Finding::kDistance:
+      return f.distance;
+  }
+  return 0.0;
 }
 
 template <class Value>
@@ -28,18 +36,6 @@ double maxOf(const SequenceDifference& d, Value&& value) {
   return largest;
 }
 
-const char* nameOf(Metric metric) {
-  switch (metric) {
-    case Metric::kAqm:
-      return "aqm";
-    case Metric::kRmse:
-      return "rmse";
-    case Metric::kPsnr:
-      return "psnr";
-  }
-  return "";
-}
-
 Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -52,6 +48,48 @@ std::string formatted(const char* format, auto... values) {
 
 }  // namespace
 
+const char* nameOf(Metric metric) {
+  switch (metric) {
+    case Metric::kAqm:
+      return "aqm";
+    case Metric::kAqm2000:
+      return "aqm2000";
+    case Metric::kRevised:
+      return "revised";
+    case Metric::kVdp:
+      return "vdp";
+    case Metric::kRmse:
+      return "rmse";
+    case Metric::kPsnr:
+      return "psnr";
+    case Metric::kModel1:
+      return "model1";
+    case Metric::kModel2:
+      return "model2";
+    case Metric::kModel3:
+      return "model3";
+  }
+  return "";
+}
+
+Finding findingOf(Metric metric) {
+  switch (metric) {
+    case Metric::kAqm:
+    case Metric::kAqm2000:
+    case Metric::kRevised:
+    case Metric::kVdp:
+      return Finding::kVisibility;
+    case Metric::kRmse:
+    case Metric::kPsnr:
+      return Finding::kSquaredError;
+    case Metric::kModel1:
+    case Metric::kModel2:
+    case Metric::kModel3:
+      return Finding::kDistance;
+  }
+  return Finding::kVisibility;
+}
+
 std::size_t worstFrame(const SequenceDifference& d) {
   const auto worst = std::max_element(d.frames.begin(), d.frames.end(),
                                       [&](const FrameDifference& a, const FrameDifference& b) {
@@ -61,42 +99,54 @@ std::size_t worstFrame(const SequenceDifference& d) {
 }
 
 std::string differenceJson(const SequenceDifference& d) {
+  const Finding finding = findingOf(d.metric);
   Json frames = Json::array();
   for (const FrameDifference& f : d.frames) {
-    if (d.metric == Metric::kAqm) {
-      frames.push_back({{"index", f.index},
-                        {"percent_visible", f.percentVisible},
-                        {"jnd_mean", f.jndMean},
-                        {"jnd_max", f.jndMax},
-                        {"pooled_jnd_max", f.pooledJndMax},
-                        {"probability_mean", f.probabilityMean}});
+    Json frame = {{"index", f.index}};
+    if (finding == Finding::kVisibility) {
+      frame["percent_visible"] = f.percentVisible;
+      frame["jnd_mean"] = f.jndMean;
+      frame["jnd_max"] = f.jndMax;
+      frame["pooled_jnd_max"] = f.pooledJndMax;
+      frame["probability_mean"] = f.probabilityMean;
+    } else if (finding == Finding::kSquaredError) {
+      frame["rmse"] = f.rmse;
+      frame["psnr"] = finite(f.psnr);
     } else {
-      frames.push_back({{"index", f.index}, {"rmse", f.rmse}, {"psnr", finite(f.psnr)}});
+      frame["distance"] = f.distance;
     }
+    frames.push_back(std::move(frame));
   }
   Json root = {{"metric", nameOf(d.metric)}, {"ppd", d.pixelsPerDegree}, {"fps", d.framesPerSecond}};
   root["frames"] = std::move(frames);
   const FrameDifference& worst = d.frames[worstFrame(d)];
-  if (d.metric == Metric::kAqm) {
+  if (finding == Finding::kVisibility) {
     root["percent_visible_mean"] = meanOf(d, [](const FrameDifference& f) { return f.percentVisible; });
     root["percent_visible_worst"] = worst.percentVisible;
-  } else {
+  } else if (finding == Finding::kSquaredError) {
     root["rmse_mean"] = meanOf(d, [](const FrameDifference& f) { return f.rmse; });
     root["rmse_worst"] = worst.rmse;
     root["psnr_worst"] = finite(worst.psnr);
+  } else {
+    root["distance_mean"] = meanOf(d, [](const FrameDifference& f) { return f.distance; });
+    root["distance_worst"] = worst.distance;
   }
   root["worst_frame"] = worst.index;
   return root.dump(2) + "\n";
 }
 
 std::string differenceCsv(const SequenceDifference& d) {
-  const bool aqm = d.metric == Metric::kAqm;
-  std::string csv =
-      aqm ? "index,percent_visible,jnd_mean,jnd_max,pooled_jnd_max,probability_mean\n" : "index,rmse,psnr\n";
+  const Finding finding = findingOf(d.metric);
+  std::string csv = finding == Finding::kVisibility
+                        ? "index,percent_visible,jnd_mean,jnd_max,pooled_jnd_max,probability_mean\n"
+                    : finding == Finding::kSquaredError ? "index,rmse,psnr\n"
+                                                        : "index,distance\n";
   for (const FrameDifference& f : d.frames) {
-    csv += aqm ? formatted("%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", f.index, f.percentVisible, f.jndMean, f.jndMax,
+    csv += finding == Finding::kVisibility
+               ? formatted("%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", f.index, f.percentVisible, f.jndMean, f.jndMax,
                            f.pooledJndMax, f.probabilityMean)
-               : formatted("%d,%.9g,%.9g\n", f.index, f.rmse, f.psnr);
+           : finding == Finding::kSquaredError ? formatted("%d,%.9g,%.9g\n", f.index, f.rmse, f.psnr)
+                                               : formatted("%d,%.9g\n", f.index, f.distance);
   }
   return csv;
 }
@@ -105,12 +155,17 @@ std::string differenceSummary(const SequenceDifference& d) {
   const FrameDifference& worst = d.frames[worstFrame(d)];
   const std::string count = std::to_string(d.frames.size()) + (d.frames.size() == 1 ? " frame" : " frames");
   const std::string head = d.test + " against " + d.reference + ", " + count + ": ";
-  if (d.metric == Metric::kAqm) {
+  if (findingOf(d.metric) == Finding::kVisibility) {
     return head +
            formatted("%.3f%% of pixels visibly different (worst frame %d: %.3f%%), JND mean %.4f, max %.3f\n",
                      meanOf(d, [](const FrameDifference& f) { return f.percentVisible; }), worst.index,
                      worst.percentVisible, meanOf(d, [](const FrameDifference& f) { return f.jndMean; }),
                      maxOf(d, [](const FrameDifference& f) { return f.jndMax; }));
+  }
+  if (findingOf(d.metric) == Finding::kDistance) {
+    return head + formatted("%s distance mean %.6g, worst frame %d: %.6g\n", nameOf(d.metric),
+                            meanOf(d, [](const FrameDifference& f) { return f.distance; }), worst.index,
+                            worst.distance);
   }
   if (d.metric == Metric::kPsnr) {
     return head + formatted("PSNR of the worst frame (%d) %.2f dB\n", worst.index, worst.psnr);

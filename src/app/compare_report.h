@@ -6,20 +6,32 @@
 
 namespace promenade::app {
 
-enum class Metric { kAqm, kRmse, kPsnr };
+enum class Metric { kAqm, kAqm2000, kRevised, kVdp, kRmse, kPsnr, kModel1, kModel2, kModel3 };
+
+/// What a metric says of a frame.
+enum class Finding {
+  kVisibility,    ///< maps: what a viewer sees
+  kSquaredError,  ///< rmse and psnr
+  kDistance       ///< one number without a unit
+};
+[[nodiscard]] Finding findingOf(Metric metric);
+/// As typed.
+[[nodiscard]] const char* nameOf(Metric metric);
 
 struct FrameDifference {
   int index = 0;  ///< from 0 within the sequence
-  // kAqm
+  // kVisibility
   double percentVisible = 0.0;  ///< pixels with P > 0.75
   double jndMean = 0.0;
   double jndMax = 0.0;
   double pooledJndMax = 0.0;
   double probabilityMean = 0.0;
-  // kRmse, kPsnr
+  // kSquaredError
   double rmse = 0.0;  ///< of display code values in [0, 1]; with --absolute relative to the brightest pixel
                       ///< of both frames
   double psnr = 0.0;  ///< decibels; infinite for equal frames
+  // kDistance
+  double distance = 0.0;
 };
 
 struct SequenceDifference {

@@ -49,6 +49,7 @@ struct CompareOptions {
   std::string fps;  ///< empty: the files', else 25
   bool absolute = false;
   std::string metric = "aqm";
+  std::string eye;  ///< empty: tracking
   std::string tone = "neutral";
   std::string exposure = "auto";
   std::string maps;

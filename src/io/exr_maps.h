@@ -1,16 +1,19 @@
 #pragma once
-// The metric's maps as an OpenEXR file: float channels J, Jp and P.
+// The metric's maps as an OpenEXR file: float channels J, Jp and P, and SignedP
+// where there is one.
 
 #include <filesystem>
+#include <span>
 
 #include "src/core/image.h"
 
 namespace promenade::io {
 
 struct MetricMaps {
-  const JndMap& jnd;                  ///< J
-  const JndMap& pooledJnd;            ///< Jp
-  const ProbabilityMap& probability;  ///< P
+  const JndMap& jnd;                              ///< J
+  const JndMap& pooledJnd;                        ///< Jp
+  const ProbabilityMap& probability;              ///< P
+  std::span<const float> signedProbability = {};  ///< SignedP, row by row; empty: no such channel
 };
 
 /// Float, because a threshold on P must give the same count after a round trip. Whole or not at all; the same

@@ -1,0 +1,51 @@
+#include "src/app/viewing.h"
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "ibr/flow.h"
+#include "src/app/motion.h"
+#include "src/core/errors.h"
+
+namespace promenade::app {
+
+EncodedMap encodedOf(const io::ImageFile& image, const Viewing& viewing) {
+  if (const auto* radiance = std::get_if<RadianceMap>(&image.colour))
+    return encodeForDisplay(*radiance, viewing.tone);
+  return std::get<EncodedMap>(image.colour).clone();
+}
+
+LuminanceMap luminanceOf(const io::ImageFile& image, const Viewing& viewing,
+                         const std::filesystem::path& file) {
+  if (!viewing.absolute) return displayLuminance(encodedOf(image, viewing), viewing.display);
+  if (image.luminance.empty()) {
+    throw InputError(file.string(), "--absolute: expected a channel Y (luminance in cd/m2), found none");
+  }
+  // The metric needs light everywhere; nobody sees a difference below this.
+  constexpr float kDarkest = 1e-4f;
+  LuminanceMap luminances = image.luminance.clone();
+  for (int y = 0; y < luminances.height(); ++y) {
+    for (int x = 0; x < luminances.width(); ++x) {
+      float& l = luminances(x, y);
+      if (!std::isfinite(l)) {
+        throw InputError(file.string(), "pixel (" + std::to_string(x) + ", " + std::to_string(y) +
+                                            "): expected a finite luminance, found " + std::to_string(l));
+      }
+      if (l < kDarkest) l = kDarkest;
+    }
+  }
+  return luminances;
+}
+
+VelocityMap Motion::next(const io::ImageFile& test, const io::ImageFile& reference, bool last) {
+  if (viewing_.velocity) return VelocityMap(test.size(), *viewing_.velocity);
+  PixelFlow toNext = meanFlow(test.flowToNext, reference.flowToNext);
+  PixelFlow toPrevious = previous_.empty() ? PixelFlow() : flowToPrevious(previous_);
+  previous_ = toNext.clone();
+  if (last && !toPrevious.empty() && isStill(toNext)) toNext = PixelFlow();
+  if (toNext.empty() && toPrevious.empty()) return VelocityMap();
+  return ibr::imageVelocity(toPrevious, toNext, viewing_.framesPerSecond, viewing_.pixelsPerDegree);
+}
+
+}  // namespace promenade::app
