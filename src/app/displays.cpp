@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "src/app/display_presets.h"
 #include "src/app/printable.h"
 #include "src/core/errors.h"
 #include "src/core/nearest_name.h"
@@ -15,30 +16,10 @@
 namespace promenade::app {
 namespace {
 
-struct Preset {
-  const char* about;
-  DisplayModel display;
-};
-
-// Diagonal and distance in metres, luminances in cd/m2, ambient light in lux, reflectance of the screen.
-std::vector<Preset> presets() {
-  const auto srgb = TransferFunction::kSrgb;
-  return {
-      {"24 inch full HD desktop monitor at 60 cm in an office (the default)",
-       {"fhd-24", {1920, 1080}, 0.61, 0.6, 250.0, 0.25, 50.0, 0.01, srgb}},
-      {"21 inch CRT of 100 cd/m2 at 50 cm in a dark room (as in the papers of 1998-2000)",
-       {"crt-100", {1280, 1024}, 0.508, 0.5, 100.0, 0.5, 0.0, 0.03, TransferFunction::kGamma22}},
-      {"55 inch 4k television at 2 m in a living room",
-       {"4k-tv", {3840, 2160}, 1.397, 2.0, 400.0, 0.1, 30.0, 0.005, srgb}},
-      {"6.1 inch telephone at 35 cm", {"phone", {2532, 1170}, 0.155, 0.35, 600.0, 0.001, 250.0, 0.005, srgb}},
-      {"14 inch full HD laptop at 50 cm",
-       {"laptop", {1920, 1080}, 0.356, 0.5, 300.0, 0.3, 100.0, 0.01, srgb}},
-  };
-}
-
 using Json = nlohmann::json;
-constexpr std::array<std::string_view, 9> kKeys = {"name",  "resolution", "diagonal",    "distance", "peak",
-                                                   "black", "ambient",    "reflectance", "transfer"};
+constexpr std::array<std::string_view, 10> kKeys = {"about",       "name",    "resolution", "diagonal",
+                                                    "distance",    "peak",    "black",      "ambient",
+                                                    "reflectance", "transfer"};
 
 double numberIn(const Json& root, const char* key, double otherwise, double low, double high,
                 const std::string& fileName) {
@@ -70,7 +51,7 @@ DisplayModel displayFromJson(const std::string& text, const std::string& fileNam
           fileName, "unknown key '" + printable(key) + "'; did you mean '" + nearestName(key, kKeys) + "'?");
     }
   }
-  DisplayModel display = presets().front().display;
+  DisplayModel display;
   display.name =
       root.contains("name") && root["name"].is_string() ? root["name"].get<std::string>() : fileName;
   if (root.contains("resolution")) {
@@ -102,30 +83,32 @@ DisplayModel displayFromJson(const std::string& text, const std::string& fileNam
 }
 
 DisplayModel displayNamed(const std::string& nameOrFile) {
-  const std::vector<Preset> known = presets();
-  for (const Preset& preset : known) {
-    if (preset.display.name == nameOrFile) return preset.display;
+  std::vector<std::string> names;
+  for (const DisplayPreset& preset : displayPresets()) {
+    const DisplayModel display = displayFromJson(std::string(preset.json), std::string(preset.fileName));
+    if (display.name == nameOrFile) return display;
+    names.push_back(display.name);
   }
   if (nameOrFile.ends_with(".json") || std::filesystem::is_regular_file(nameOrFile)) {
     return displayFromJson(io::readTextFile(nameOrFile), nameOrFile);
   }
-  std::vector<std::string_view> names;
-  for (const Preset& preset : known) names.push_back(preset.display.name);
+  const std::vector<std::string_view> known(names.begin(), names.end());
   throw InputError("--display: neither a preset nor a file: '" + printable(nameOrFile) + "'; did you mean '" +
-                   nearestName(nameOrFile, names) + "'? (--display ? lists them)");
+                   nearestName(nameOrFile, known) + "'? (--display ? lists them)");
 }
 
 std::string displayList() {
   std::string list;
-  for (const Preset& preset : presets()) {
-    const DisplayModel& d = preset.display;
+  for (const DisplayPreset& preset : displayPresets()) {
+    const DisplayModel d = displayFromJson(std::string(preset.json), std::string(preset.fileName));
     char line[256];
-    std::snprintf(line, sizeof(line), "%-8s  %dx%d, %.1f pixels/degree, %g cd/m2: %s\n", d.name.c_str(),
-                  d.resolution.width, d.resolution.height, d.pixelsPerDegree(), d.peakLuminance,
-                  preset.about);
+    std::snprintf(line, sizeof(line), "%-8s  %dx%d, %.1f pixels/degree, %g to %g cd/m2, %g lux: %s\n",
+                  d.name.c_str(), d.resolution.width, d.resolution.height, d.pixelsPerDegree(),
+                  d.blackLuminance, d.peakLuminance, d.ambientIlluminance,
+                  Json::parse(preset.json).value("about", "").c_str());
     list += line;
   }
-  return list;
+  return list + "A display of your own: --display FILE.json (docs/formats.md says what is in it)\n";
 }
 
 }  // namespace promenade::app

@@ -46,6 +46,25 @@ TEST(Displays, DefaultIsA24InchFullHdMonitorAt60Centimetres) {
   EXPECT_EQ(displayNamed("crt-100").peakLuminance, 100.0);
   expectRefused([] { (void)displayNamed("fhd24"); }, "did you mean 'fhd-24'?");
   EXPECT_THAT(displayList(), testing::HasSubstr("phone"));
+  EXPECT_THAT(displayList(), testing::HasSubstr("1920x1080, 37.8 pixels/degree, 0.25 to 250 cd/m2, 50 lux"));
+}
+
+TEST(Displays, AnEmptyDescriptionIsTheDefaultPreset) {
+  const DisplayModel preset = displayNamed("fhd-24");
+  const DisplayModel empty = displayFromJson("{}", "fhd-24");
+  EXPECT_EQ(empty.resolution, preset.resolution);
+  EXPECT_EQ(empty.diagonalMetres, preset.diagonalMetres);
+  EXPECT_EQ(empty.viewingDistanceMetres, preset.viewingDistanceMetres);
+  EXPECT_EQ(empty.luminanceOf(Rgb(0.0f)), preset.luminanceOf(Rgb(0.0f)));
+  EXPECT_EQ(empty.luminanceOf(Rgb(0.5f)), preset.luminanceOf(Rgb(0.5f)));
+  EXPECT_EQ(empty.luminanceOf(Rgb(1.0f)), preset.luminanceOf(Rgb(1.0f)));
+}
+
+// Black plus E rho / pi, with the ambient light E in lux: 0.5 + 0 for the tube in a dark room; 0.001 + 250 *
+// 0.005 / pi = 0.399 for the telephone, whose black is all reflection.
+TEST(Displays, AmbientLightRaisesBlack) {
+  EXPECT_NEAR(displayNamed("crt-100").luminanceOf(Rgb(0.0f)), 0.5, 1e-6);
+  EXPECT_NEAR(displayNamed("phone").luminanceOf(Rgb(0.0f)), 0.3989, 1e-4);
 }
 
 TEST(Displays, MayBeDescribedInJson) {
