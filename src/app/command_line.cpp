@@ -87,7 +87,8 @@ void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("--tone", o.tone, "Tone curve for EXR frames: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops for EXR frames, or 'auto'")->capture_default_str();
   verb.add_option("--maps", o.maps, "Folder for an EXR a frame with the maps J, Jp, P (of vdp also SignedP)");
-  verb.add_option("--heatmap", o.heatmap, "Folder for a PNG a frame with the probabilities as colours");
+  verb.add_option("--heatmap", o.heatmap,
+                  "Folder for a PNG a frame: both frames, where the difference is seen, how clearly");
   verb.add_option("--csv", o.csv, "File for a table of the frames");
   verb.add_flag("--json", o.json, "Print JSON instead of the summary");
   verb.add_option("--fail-above", o.failAbove,

@@ -1,16 +1,32 @@
 #pragma once
-// The metric's probabilities as a picture for people.
+// A comparison as a picture for people: the two frames and, below them, where a viewer sees a difference and
+// how large it is, each with a legend in words.
+
+#include <string>
 
 #include "src/core/image.h"
 
 namespace promenade::app {
 
-/// The reference in dim grey with the probability of detection over it in colour (transparent at 0), and a
-/// legend of 24 rows below (narrow pictures get the colour bar without its numbers). `background`: luminance
-/// of the reference, cd/m2.
-[[nodiscard]] EncodedMap heatmap(const ProbabilityMap& probability, const LuminanceMap& background);
+struct ComparedFrames {
+  const EncodedMap& test;
+  const EncodedMap& reference;
+  const ProbabilityMap& probability;
+  const JndMap& pooledJnd;  ///< 1 at threshold
+};
 
-/// Black-blue, violet, orange, yellow-white for 0 to 1.
-[[nodiscard]] Rgb heatColour(float probability);
+/// Above: test, reference. Below: the threshold map (the reference in grey, P in colours that change where P
+/// exceeds 0.75) and the map of pooled JND. `title` is the first line. All four have one size; frames below
+/// 512 x 270 pixels are enlarged by a whole number, frames of more than 4096 pixels a side reduced by one.
+[[nodiscard]] EncodedMap heatmap(const ComparedFrames& frames, const std::string& title);
+
+/// Over a background of the given grey: through violet up to P = 0.75, from orange to yellow above.
+[[nodiscard]] Rgb visibilityColour(float probability, float grey);
+
+/// Black, violet, orange, yellow for 0 to 8 just noticeable differences and more, in steps of log(1 + J).
+[[nodiscard]] Rgb jndColour(float jnd);
+
+/// A picture of luminance (cd/m2); `white`, > 0, becomes white.
+[[nodiscard]] EncodedMap greyPicture(const LuminanceMap& luminance, float white);
 
 }  // namespace promenade::app

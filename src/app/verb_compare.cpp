@@ -55,6 +55,60 @@ std::string mapName(int index, const char* extension) {
   return name;
 }
 
+struct Pair {
+  const io::ImageFile& test;
+  const io::ImageFile& reference;
+  const std::filesystem::path& testFile;
+  const std::filesystem::path& referenceFile;
+};
+
+struct Frame {
+  const CompareOptions& options;
+  Metric metric;
+  int index;
+};
+
+EncodedMap pictureOf(const io::ImageFile& image, const Viewing& viewing, const LuminanceMap& seen,
+                     float white) {
+  return viewing.absolute ? greyPicture(seen, white) : encodedOf(image, viewing);
+}
+
+// A metric of visibility, and its files.
+FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityMap& velocity,
+                       const aqm::Settings& settings, const Frame& frame) {
+  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
+  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
+  const aqm::Result result = aqm::compare(test, reference, velocity, settings);
+  const FrameDifference difference = visibility(result);
+  if (!frame.options.maps.empty()) {
+    io::writeMaps(std::filesystem::path(frame.options.maps) / mapName(frame.index, ".exr"),
+                  {result.jnd, result.pooledJnd, result.probability, result.signedProbability.pixels()});
+  }
+  if (!frame.options.heatmap.empty()) {
+    const float white =
+        std::max(*std::ranges::max_element(test.pixels()), *std::ranges::max_element(reference.pixels()));
+    const EncodedMap shownTest = pictureOf(pair.test, viewing, test, white);
+    const EncodedMap shownReference = pictureOf(pair.reference, viewing, reference, white);
+    char title[96];
+    std::snprintf(title, sizeof(title), "Frame %d: %.2f%% of the pixels visibly different, metric %s",
+                  frame.index, difference.percentVisible, nameOf(frame.metric));
+    io::write8bit(std::filesystem::path(frame.options.heatmap) / mapName(frame.index, ".png"),
+                  heatmap({shownTest, shownReference, result.probability, result.pooledJnd}, title));
+  }
+  return difference;
+}
+
+// A metric that is one number.
+FrameDifference measured(const Pair& pair, const Viewing& viewing, Metric metric) {
+  if (findingOf(metric) == Finding::kSquaredError && !viewing.absolute)
+    return squaredError(encodedOf(pair.test, viewing), encodedOf(pair.reference, viewing));
+  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
+  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
+  return findingOf(metric) == Finding::kDistance
+             ? modelDistance(metric, test, reference, viewing.pixelsPerDegree)
+             : squaredError(test, reference);
+}
+
 }  // namespace
 
 ExitStatus runCompare(const CompareOptions& options, Console& console) {
@@ -118,32 +172,14 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
                        reference.file(index).string() + " is " + sizeText(b->size()) +
                        ": only images of equal size can be compared");
     }
+    const Pair pair{*a, *b, test.file(index), reference.file(index)};
     FrameDifference frame;
-    if (findingOf(metric) == Finding::kSquaredError && !viewing.absolute) {
-      frame = squaredError(encodedOf(*a, viewing), encodedOf(*b, viewing));
+    if (showsVisibility) {
+      const VelocityMap velocity =
+          knowsOfMotion(metric) ? motion.next(*a, *b, index + 1 == test.frameCount()) : VelocityMap();
+      frame = judged(pair, viewing, velocity, settingsOf(metric, viewer), {options, metric, index});
     } else {
-      const LuminanceMap seenTest = luminanceOf(*a, viewing, test.file(index));
-      const LuminanceMap seenReference = luminanceOf(*b, viewing, reference.file(index));
-      if (showsVisibility) {
-        const VelocityMap velocity =
-            knowsOfMotion(metric) ? motion.next(*a, *b, index + 1 == test.frameCount()) : VelocityMap();
-        const aqm::Result result =
-            aqm::compare(seenTest, seenReference, velocity, settingsOf(metric, viewer));
-        frame = visibility(result);
-        if (!options.maps.empty()) {
-          io::writeMaps(
-              std::filesystem::path(options.maps) / mapName(index, ".exr"),
-              {result.jnd, result.pooledJnd, result.probability, result.signedProbability.pixels()});
-        }
-        if (!options.heatmap.empty()) {
-          io::write8bit(std::filesystem::path(options.heatmap) / mapName(index, ".png"),
-                        heatmap(result.probability, seenReference));
-        }
-      } else if (findingOf(metric) == Finding::kDistance) {
-        frame = modelDistance(metric, seenTest, seenReference, viewing.pixelsPerDegree);
-      } else {
-        frame = squaredError(seenTest, seenReference);
-      }
+      frame = measured(pair, viewing, metric);
     }
     frame.index = index;
     difference.frames.push_back(frame);

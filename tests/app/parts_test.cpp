@@ -9,7 +9,6 @@
 #include "src/app/compare_report.h"
 #include "src/app/displays.h"
 #include "src/app/fingerprint.h"
-#include "src/app/heatmap.h"
 #include "src/app/machine.h"
 #include "src/app/motion.h"
 #include "src/app/output_folder.h"
@@ -163,18 +162,6 @@ TEST(CompareReport, EqualImagesHaveAnInfinitePsnrThatJsonWritesAsNull) {
   d.metric = Metric::kPsnr;
   for (FrameDifference& f : d.frames) f.psnr = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(nlohmann::json::parse(differenceJson(d))["psnr_worst"].is_null());
-}
-
-TEST(Heatmap, KeepsTheReferenceGreyWhereNothingIsSeenAndAddsALegend) {
-  ProbabilityMap p(300, 3, 0.0f);
-  p(5, 1) = 1.0f;
-  const EncodedMap map = heatmap(p, LuminanceMap(300, 3, 80.0f));
-  EXPECT_EQ(map.size(), (Size{300, 27}));
-  EXPECT_NEAR(map(0, 0).r, 0.5f, 1e-6f);
-  EXPECT_EQ(map(0, 0).r, map(0, 0).b);
-  EXPECT_EQ(map(5, 1), heatColour(1.0f));
-  EXPECT_EQ(map(299, 7), heatColour(1.0f));
-  EXPECT_EQ(heatmap(ProbabilityMap(1, 1, 0.5f), LuminanceMap(1, 1, 1.0f)).size(), (Size{1, 25}));
 }
 
 Scene sceneWithCameras() {
