@@ -14,9 +14,11 @@ constexpr float kLeastTraced = 0.002f;
 /// faint reflection is then a smooth function of place and direction, the same in every frame, instead of
 /// grain that differs between keyframes. (A stronger reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
-/// Whatever sends back more (and diffuse light where the solution knows none) gets up to this many times the
-/// paths, until the standard error of a sample (without what stratification saves) is this share of it.
-constexpr int kMostBatches = 8;
+/// ... and at least so many: fewer show as patterns that stand still while the walk goes on.
+constexpr int kLeastFaintPaths = 16;
+/// Whatever sends back more (and diffuse light where the solution knows none) gets up to this many paths,
+/// until the standard error of a sample (without what stratification saves) is this share of it.
+constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.03f;
 /// From this roughness on the reflection seen directly is taken from the solution too: its lobe is nearly as
 /// wide as the hemisphere, and a few paths would only add noise to it.
@@ -150,8 +152,9 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     // Neighbours take turns with four sets of numbers, whose errors average out in a pixel.
     numbers.pixel = stream.pixel & 1u;
     numbers.frame = 0;
+    numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kLeastFaintPaths));
   } else {
-    numbers.pathsPerPixel *= kMostBatches;
+    numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
   }
   const Shares shares = firstShares(vertex);
   SampleRadiance sum;
@@ -204,8 +207,10 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     return std::sqrt(variance) <= kStrongNoise * whole;
   };
   traceBatch();
-  if (!isFaint) {
-    for (int batch = 1; batch < kMostBatches && !isClean(); ++batch) traceBatch();
+  if (isFaint) {
+    while (count < kLeastFaintPaths) traceBatch();
+  } else {
+    while (count + settings_.pathsPerSample <= kMostPaths && !isClean()) traceBatch();
   }
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;
