@@ -7,20 +7,19 @@
 #include <cctype>
 #include <charconv>
 #include <map>
+#include <set>
 #include <string_view>
 #include <system_error>
 
 #include "src/core/errors.h"
 #include "src/io/file_error.h"
+#include "src/io/image_extensions.h"
 
 namespace promenade::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 17> kImageExtensions{".exr",  ".png",  ".hdr", ".jpg", ".jpeg", ".tif",
-                                                            ".tiff", ".tga",  ".bmp", ".ppm", ".pgm",  ".pnm",
-                                                            ".pfm",  ".webp", ".dpx", ".jp2", ".rgbe"};
 constexpr std::array<std::string_view, 7> kVideoExtensions{".mp4",  ".mov", ".m4v", ".mkv",
                                                            ".webm", ".avi", ".gif"};
 
@@ -28,10 +27,6 @@ std::string extensionOf(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
-}
-
-bool isImageName(const fs::path& file) {
-  return std::ranges::find(kImageExtensions, extensionOf(file)) != kImageExtensions.end();
 }
 
 bool isVideoName(const fs::path& file) {
@@ -58,7 +53,8 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
 
 std::vector<fs::path> imagesIn(const fs::path& folder) {
   std::vector<fs::path> files = filesIn(folder);
-  std::erase_if(files, [](const fs::path& file) { return !isImageName(file); });
+  const std::set<std::string> extensions = imageExtensions();
+  std::erase_if(files, [&](const fs::path& file) { return !extensions.contains(extensionOf(file)); });
   return files;
 }
 

@@ -215,5 +215,82 @@ TEST_F(Compare, CompareOfAbsoluteLuminanceGivesThePublishedNumbers) {
   EXPECT_NEAR(moving["percent_visible_mean"].get<double>(), 100.0, 1.0);
 }
 
+// A picture of smooth colours, in the format that the name says.
+void writePicture(const std::string& file, const OIIO::TypeDesc& type, int width = 64, int height = 48) {
+  std::vector<float> pixels;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      pixels.insert(pixels.end(), {static_cast<float>(x) / static_cast<float>(width), 0.5f,
+                                   static_cast<float>(y) / static_cast<float>(height)});
+    }
+  }
+  const auto out = OIIO::ImageOutput::create(file);
+  ASSERT_TRUE(out && out->open(file, OIIO::ImageSpec(width, height, 3, type))) << file;
+  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+  ASSERT_TRUE(out->close());
+}
+
+TEST_F(Compare, ReadsWhateverOpenImageIOReads) {
+  // Rounding to 8 bits is below 1 / 510; JPEG and WebP lose more, but not of what is so smooth.
+  writePicture(at("reference.png"), OIIO::TypeDesc::UINT16);
+  for (const char* name :
+       {"8.png", "8.tif", "8.bmp", "8.tga", "8.ppm", "8.jpg", "8.webp", "8.sgi", "8.jp2"}) {
+    SCOPED_TRACE(name);
+    writePicture(at(name), OIIO::TypeDesc::UINT8);
+    const Outcome outcome = run({"compare", at(name), at("reference.png"), "--metric", "rmse", "--json"});
+    expectDone(outcome);
+    EXPECT_LT(nlohmann::json::parse(outcome.out, nullptr, false)["rmse_worst"].get<double>(), 0.01);
+  }
+  // Floating-point pixels are radiance, so that these are compared with each other.
+  writePicture(at("f.exr"), OIIO::TypeDesc::HALF);
+  for (const char* name : {"f.tif", "f.hdr"}) {
+    SCOPED_TRACE(name);
+    writePicture(at(name), OIIO::TypeDesc::FLOAT);
+    const Outcome outcome = run({"compare", at(name), at("f.exr"), "--metric", "rmse", "--json"});
+    expectDone(outcome);
+    EXPECT_LT(nlohmann::json::parse(outcome.out, nullptr, false)["rmse_worst"].get<double>(), 0.01);
+  }
+}
+
+TEST_F(Compare, VideosAreComparedFrameByFrameWithProgress) {
+  std::filesystem::create_directories(at("frames"));
+  for (const char* frame : {"0.png", "1.png", "2.png"}) {
+    writePicture(at("frames/") + frame, OIIO::TypeDesc::UINT8);
+  }
+  expectDone(run({"encode", at("frames"), at("lossless.mkv"), "--fps", "30", "--quiet"}));
+  expectDone(run({"encode", at("frames"), at("lossy.mp4"), "--fps", "30", "--quiet"}));
+  const Outcome outcome =
+      run({"compare", at("lossy.mp4"), at("lossless.mkv"), "--json", "--heatmap", at("heat")});
+  expectDone(outcome);
+  const auto root = nlohmann::json::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(root["fps"], 30.0);
+  EXPECT_EQ(root["frames"].size(), 3u);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("3/3"));
+  EXPECT_TRUE(std::filesystem::exists(at("heat/000002.png")));
+  // A video and the frames that it was made of differ in the last bit of n / 255 at most.
+  const Outcome same = run({"compare", at("lossless.mkv"), at("frames"), "--json", "--quiet"});
+  expectDone(same);
+  EXPECT_LT(nlohmann::json::parse(same.out, nullptr, false)["frames"][1]["jnd_max"].get<double>(), 1e-3);
+  std::filesystem::resize_file(at("lossless.mkv"), std::filesystem::file_size(at("lossless.mkv")) / 2);
+  expectRefused(run({"compare", at("lossy.mp4"), at("lossless.mkv")}), "lossless.mkv");
+}
+
+TEST_F(Compare, FramesOfOnePixelRowsColumnsAndUnknownFlowHaveAnAnswer) {
+  const auto nan = constant(std::numeric_limits<double>::quiet_NaN());
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 37), std::pair(53, 1), std::pair(7, 5)}) {
+    SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+    // No flow is known, or it leads far beyond the image.
+    for (const auto& flow : {nan, constant(1e30)}) {
+      writeExr(at("reference.exr"), width, height,
+               {{"Y", constant(50.0)}, {"Vector.X", flow}, {"Vector.Y", flow}});
+      writeExr(at("test.exr"), width, height,
+               {{"Y", constant(60.0)}, {"Vector.X", flow}, {"Vector.Y", flow}});
+      const auto root = compared({"--heatmap", at("heat"), "--maps", at("maps")});
+      // A uniform change of a uniform frame is no pattern.
+      EXPECT_NEAR(root["frames"][0]["jnd_max"].get<double>(), 0.0, 1e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace promenade::e2e

@@ -56,6 +56,15 @@ TEST(Sequence, AFolderThatRenderWroteIsItsFrames) {
   EXPECT_THAT(names(resolveSequence(folder.path().string())), ElementsAre("000000.exr", "000001.exr"));
 }
 
+TEST(Sequence, AFolderMayHoldAnyFormatOfOpenImageIO) {
+  for (const char* name :
+       {"a.sgi", "a.psd", "a.cin", "a.fits", "a.JPEG", "a.j2k", "a.tx", "a.pic", "a.rla"}) {
+    const TempFolder folder;
+    makeFiles(folder.path(), {name, "notes.txt", "walk.mp4", "walk.gif", "points.vdb"});
+    EXPECT_THAT(names(resolveSequence(folder.path().string())), ElementsAre(name));
+  }
+}
+
 TEST(Sequence, AFolderOfSeveralKindsIsAmbiguous) {
   const TempFolder folder;
   makeFiles(folder.path(), {"a.exr", "b.exr", "a.png"});
