@@ -81,6 +81,7 @@ void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("--velocity", o.velocity,
                   "Image velocity VX,VY in degrees per second (default: the Vector channels, else 0)");
   verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_option("--ambient", o.ambient, "Light on the screen in lux (default: the display's)");
   verb.add_option("--ppd", o.ppd, "Pixels per degree (default: the display's)");
   verb.add_option("--fps", o.fps, "Frame rate (default: the files', else 25)");
   verb.add_flag("--absolute", o.absolute, "Channel Y of the EXR files is luminance in cd/m2");

@@ -45,8 +45,9 @@ struct CompareOptions {
   std::string reference;
   std::string velocity;  ///< empty: the Vector channels, else 0
   std::string display = "fhd-24";
-  std::string ppd;  ///< empty: the display's
-  std::string fps;  ///< empty: the files', else 25
+  std::string ambient;  ///< lux; empty: the display's
+  std::string ppd;      ///< empty: the display's
+  std::string fps;      ///< empty: the files', else 25
   bool absolute = false;
   std::string metric = "aqm";
   std::string eye;  ///< empty: tracking

@@ -133,6 +133,9 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   }
   Viewing viewing;
   viewing.display = displayNamed(options.display);
+  if (!options.ambient.empty()) {
+    viewing.display.ambientIlluminance = numberFrom(options.ambient, 0.0, 1e6, "--ambient");
+  }
   viewing.tone.curve = toneFrom(options.tone, "--tone");
   viewing.absolute = options.absolute;
   viewing.pixelsPerDegree = options.ppd.empty() ? viewing.display.pixelsPerDegree()

@@ -252,6 +252,21 @@ TEST_F(Compare, ReadsWhateverOpenImageIOReads) {
   }
 }
 
+TEST_F(Compare, AmbientLightWashesDifferencesOut) {
+  // 20000 lux on a screen that reflects 1 % add 64 cd/m2 to both frames: darks of 2 cd/m2 lose their
+  // contrast.
+  writePicture(at("reference.png"), OIIO::TypeDesc::UINT8);
+  writePicture(at("test.jpg"), OIIO::TypeDesc::UINT8);
+  const auto jnd = [&](const char* lux) {
+    const Outcome outcome =
+        run({"compare", at("test.jpg"), at("reference.png"), "--ambient", lux, "--json", "--quiet"});
+    expectDone(outcome);
+    return nlohmann::json::parse(outcome.out, nullptr, false)["frames"][0]["jnd_mean"].get<double>();
+  };
+  EXPECT_LT(jnd("20000"), 0.8 * jnd("0"));
+  expectRefused(run({"compare", at("test.jpg"), at("test.jpg"), "--ambient", "dim"}), "--ambient");
+}
+
 TEST_F(Compare, VideosAreComparedFrameByFrameWithProgress) {
   std::filesystem::create_directories(at("frames"));
   for (const char* frame : {"0.png", "1.png", "2.png"}) {
