@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders the built-in exhibition hall to a video and a report: installs packages, builds, makes the scene, walks through it.
-# Meant to take less than 15 minutes on two cores of a fresh Debian 12; not timed yet. Run again, it goes on where it was stopped.
+# Takes about 20 minutes on two cores (docs/results.md). Run again, it goes on where it was stopped.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
