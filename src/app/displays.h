@@ -10,9 +10,9 @@ namespace promenade::app {
 /// A preset's name, or a JSON file (docs/formats.md). Throws InputError that names the nearest preset.
 [[nodiscard]] DisplayModel displayNamed(const std::string& nameOrFile);
 
-/// Keys "name", "about" (for people), "resolution" [w, h], "diagonal" and "distance" (metres), "peak" and "black" (cd/m2),
-/// "ambient" (lux), "reflectance", "transfer" ("srgb", "gamma2.2", "linear"); absent ones as in
-/// DisplayModel, which is the default preset. Unknown keys are errors.
+/// Keys "name", "about" (for people), "resolution" [w, h], "diagonal" and "distance" (metres), "peak" and
+/// "black" (cd/m2), "ambient" (lux), "reflectance", "transfer" ("srgb", "gamma2.2", "linear"); absent ones as
+/// in DisplayModel, which is the default preset. Unknown keys are errors.
 [[nodiscard]] DisplayModel displayFromJson(const std::string& text, const std::string& fileName);
 
 /// One line a preset, for `--display ?`.
