@@ -318,6 +318,10 @@ std::uint64_t fingerprint(const Camera& camera) {
 
 }  // namespace
 
+bool LightSolution::isFor(const Camera& camera) const {
+  return std::find(cameras.begin(), cameras.end(), fingerprint(camera)) != cameras.end();
+}
+
 std::optional<SurfaceLight> LightSolution::at(const glm::vec3& position, const glm::vec3& normal) const {
   std::optional<SurfaceLight> light = fine.at(position, normal);
   return light ? light : coarse.roughlyAt(position, normal);
@@ -330,12 +334,10 @@ std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer, std::sp
   LightSolution solution = known ? *known : LightSolution{};
   std::vector<Camera> added;
   for (const Camera& camera : cameras) {
-    const std::uint64_t name = fingerprint(camera);
-    if (std::find(solution.cameras.begin(), solution.cameras.end(), name) != solution.cameras.end()) continue;
-    solution.cameras.push_back(name);
+    if (solution.isFor(camera)) continue;
+    solution.cameras.push_back(fingerprint(camera));
     added.push_back(camera);
   }
-  if (known && added.empty()) return known;
 
   Gatherer gatherer(tracer, settings, progress);
   if (known)

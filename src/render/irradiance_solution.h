@@ -63,6 +63,7 @@ struct LightSolution {
   PathRays rays;
   std::vector<std::uint64_t> cameras;  ///< fingerprints of those it was made for
 
+  [[nodiscard]] bool isFor(const Camera& camera) const;
   /// Nothing where neither knows.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
 };

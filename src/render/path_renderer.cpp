@@ -235,6 +235,10 @@ std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSe
                                                 const std::shared_ptr<const LightSolution>& known,
                                                 const ProgressCallback& progress) {
   validate(settings);
+  if (known && std::all_of(cameras.begin(), cameras.end(),
+                           [&](const Camera& camera) { return known->isFor(camera); })) {
+    return known;  // before the scene is built for tracing
+  }
   PathSettings unbiased = settings;
   unbiased.solution = nullptr;
   PathTracer tracer(scene, unbiased);

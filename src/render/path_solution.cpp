@@ -182,19 +182,10 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
       const BsdfSample s = scattering.sample(choose, sampler.next2D());
       const Rgb scattered = known ? s.viewDependent : s.diffuse + s.viewDependent;
       if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
-      Carried next;
-      next.width = cone.width;
-      next.spread = cone.spread;
-      if (vertex.isStraightThrough(s)) {
-        next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-        next.direction = direction;
-      } else {
-        const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
-        if (!vertex.agree(s.wi, world)) continue;
-        scatter(vertex, s, world, shares, next);
-      }
-      next.importance = largest(scattered);
-      const Rgb arriving = follow(next, sampler, rays);
+      std::optional<Carried> next = leave(vertex, s, direction, cone, shares);
+      if (!next) continue;
+      next->importance = largest(scattered);
+      const Rgb arriving = follow(*next, sampler, rays);
       add({s.diffuse * arriving, s.viewDependent * arriving});
     }
     shadows.flush();

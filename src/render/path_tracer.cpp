@@ -236,19 +236,36 @@ void PathTracer::scatter(const Vertex& vertex, const BsdfSample& sample, const g
   if (!sample.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(sample.pdf));
 }
 
+std::optional<PathTracer::Carried> PathTracer::leave(const Vertex& vertex, const BsdfSample& sample,
+                                                     const glm::vec3& direction, Cone cone,
+                                                     const Shares& shares) const {
+  Carried path;
+  path.width = cone.width;
+  path.spread = cone.spread;
+  if (vertex.isStraightThrough(sample)) {
+    path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
+    path.direction = direction;
+    return path;
+  }
+  const glm::vec3 world = glm::normalize(vertex.basis.toWorld(sample.wi));
+  if (!vertex.agree(sample.wi, world)) return std::nullopt;
+  scatter(vertex, sample, world, shares, path);
+  return path;
+}
+
 SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixelWidth,
                                  const Sampler::Stream& stream, PathRays& rays) const {
   const float length = glm::length(primary.direction);
   const glm::vec3 direction = primary.direction / length;
-  const float width = pixelWidth * hit.distance;
-  const Vertex vertex = vertexAt(hit, direction, {width, false});
+  const Cone cone{pixelWidth * hit.distance, pixelWidth / length};
+  const Vertex vertex = vertexAt(hit, direction, {cone.width, false});
   const SurfaceLook& look = vertex.look;
 
   SampleRadiance sum;
   if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
 
   if (settings_.solution && look.alpha >= 1.0f && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f) {
-    return shadeFromSolution(vertex, direction, {width, pixelWidth / length}, stream, rays);
+    return shadeFromSolution(vertex, direction, cone, stream, rays);
   }
 
   const int count = settings_.pathsPerSample;
@@ -262,10 +279,10 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
       });
   for (int i = 0; i < count; ++i) {
     Sampler sampler(stream, static_cast<std::uint32_t>(i));
-    Carried next;
-    next.width = width;
-    next.spread = pixelWidth / length;
     if (look.alpha < 1.0f && sampler.next1D() >= look.alpha) {
+      Carried next;
+      next.width = cone.width;
+      next.spread = cone.spread;
       next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
       next.direction = direction;
       sum.viewDependent += follow(next, sampler, rays);
@@ -284,16 +301,10 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
     const BsdfSample s = scattering.sample(choose, sampler.next2D());
     const Rgb scattered = s.diffuse + s.viewDependent;
     if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
-    if (vertex.isStraightThrough(s)) {
-      next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-      next.direction = direction;
-    } else {
-      const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
-      if (!vertex.agree(s.wi, world)) continue;
-      scatter(vertex, s, world, shares, next);
-    }
-    next.importance = largest(scattered);
-    const Rgb arriving = follow(next, sampler, rays);
+    std::optional<Carried> next = leave(vertex, s, direction, cone, shares);
+    if (!next) continue;
+    next->importance = largest(scattered);
+    const Rgb arriving = follow(*next, sampler, rays);
     sum.diffuse += s.diffuse * arriving;
     sum.viewDependent += s.viewDependent * arriving;
   }

@@ -77,6 +77,11 @@ class PathTracer {
   [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex) const;
   [[nodiscard]] SampleRadiance shadeFromSolution(Vertex vertex, const glm::vec3& direction, Cone cone,
                                                  const Sampler::Stream& stream, PathRays& rays) const;
+  /// The path that leaves a primary vertex, reached along `direction`; nothing if it would leak through the
+  /// surface.
+  [[nodiscard]] std::optional<Carried> leave(const Vertex& vertex, const BsdfSample& sample,
+                                             const glm::vec3& direction, Cone cone,
+                                             const Shares& shares) const;
   void scatter(const Vertex& vertex, const BsdfSample& sample, const glm::vec3& direction,
                const Shares& shares, Carried& path) const;
   [[nodiscard]] Rgb follow(Carried carried, Sampler& sampler, PathRays& rays) const;
