@@ -22,15 +22,13 @@ struct EncoderChoice {
   const char* muxer;
   const char* encoder;
   AVPixelFormat pixelFormat;
-  // Fixed: the bytes that libvpx writes depend on it. With more than one thread x264's rate control depends
-  // on how they are scheduled as well, now and then.
-  int threads;
+  int threads;  // fixed: the bytes that x264 and libvpx write depend on it
 };
 
 EncoderChoice choiceFor(VideoFormat format) {
   switch (format) {
     case VideoFormat::kH264:
-      return {"mp4", "libx264", AV_PIX_FMT_YUV420P, 1};
+      return {"mp4", "libx264", AV_PIX_FMT_YUV420P, 4};
     case VideoFormat::kFfv1:
       return {"matroska", "ffv1", AV_PIX_FMT_BGR0, 4};
     case VideoFormat::kVp9:
@@ -43,6 +41,14 @@ EncoderChoice choiceFor(VideoFormat format) {
 
 std::string sizeText(Size size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+bool cpuHasAvx512() {
+#ifdef __x86_64__
+  return __builtin_cpu_supports("avx512f");
+#else
+  return false;
+#endif
 }
 
 // A muxer and the file it writes to.
@@ -179,6 +185,8 @@ void VideoWriter::State::configure(const EncoderChoice& choice, FrameRate frameR
     case VideoFormat::kH264:
       option("preset", "medium");
       option("crf", "16");
+      // What x264's AVX-512 code writes depends on where its memory lies (release 164, with mbtree).
+      if (cpuHasAvx512()) option("x264-params", "asm=avx2");
       break;
     case VideoFormat::kFfv1:
       codec_->level = 3;

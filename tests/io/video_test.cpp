@@ -247,7 +247,18 @@ TEST(Video, TwoEncodingsGiveTheSameBytes) {
   for (const std::string& e : extensions) {
     writeVideo(folder / ("b" + e), {96, 64}, {25, 1}, 30, noiseFrame);
     EXPECT_GT(fs::file_size(folder / ("a" + e)), 1000U);
-    EXPECT_EQ(bytesOf(folder / ("a" + e)), bytesOf(folder / ("b" + e))) << e;
+    EXPECT_TRUE(bytesOf(folder / ("a" + e)) == bytesOf(folder / ("b" + e))) << e;
+  }
+}
+
+// With its AVX-512 code x264 fails this one in the second round.
+TEST(H264, TheBytesDoNotDependOnWhereMemoryLies) {
+  const TempFolder folder;
+  writeVideo(folder / "first.mp4", {96, 64}, {25, 1}, 30, noiseFrame);
+  for (int round = 0; round < 16; ++round) {
+    writeVideo(folder / "between.webm", {96, 64}, {25, 1}, 3, noiseFrame);
+    writeVideo(folder / "again.mp4", {96, 64}, {25, 1}, 30, noiseFrame);
+    ASSERT_TRUE(bytesOf(folder / "first.mp4") == bytesOf(folder / "again.mp4")) << "round " << round;
   }
 }
 
