@@ -11,6 +11,7 @@
 #include "src/core/errors.h"
 #include "src/io/file_error.h"
 #include "src/io/image_limits.h"
+#include "src/io/png.h"
 
 namespace promenade::io {
 namespace {
@@ -92,6 +93,7 @@ Size ImageFile::size() const {
 
 ImageFile readImage(const fs::path& file) {
   requireRegularFile(file);
+  requireWholePng(file);
   const auto in = OIIO::ImageInput::open(file.string());
   if (!in) throw InputError(file.string(), "cannot read as an image: " + firstLine(OIIO::geterror()));
   in->threads(1);  // frames are read side by side; OpenImageIO's own threads would only compete

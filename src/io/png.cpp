@@ -3,6 +3,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <array>
+#include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "src/core/errors.h"
@@ -26,6 +29,26 @@ void write8bit(const std::filesystem::path& file, const EncodedMap& image) {
     throw CannotContinue(file.string() + ": cannot encode PNG: " + firstLine(out->geterror()));
   }
   writeFileAtomically(file, std::as_bytes(std::span(memory.buffer())));
+}
+
+void requireWholePng(const std::filesystem::path& file) {
+  constexpr std::string_view kSignature{"\x89PNG\r\n\x1a\n", 8};
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 8> head{};
+  in.read(head.data(), head.size());
+  if (!in || std::string_view(head.data(), head.size()) != kSignature) return;
+  // Chunks: length (big-endian), type, data, checksum.
+  const auto end = static_cast<std::streamoff>(std::filesystem::file_size(file));
+  std::streamoff next = 8;
+  for (std::string_view type; type != "IEND"; type = std::string_view(head.data() + 4, 4)) {
+    in.seekg(next);
+    in.read(head.data(), head.size());
+    std::uint32_t length = 0;
+    for (int i = 0; i < 4; ++i)
+      length = length << 8 | static_cast<unsigned char>(head[static_cast<std::size_t>(i)]);
+    next += 12 + static_cast<std::streamoff>(length);
+    if (!in || next > end) throw InputError(file.string(), "the PNG is cut short");
+  }
 }
 
 }  // namespace promenade::io

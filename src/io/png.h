@@ -11,4 +11,8 @@ namespace promenade::io {
 /// gives the same bytes. Throws InputError or CannotContinue (file_error.h).
 void write8bit(const std::filesystem::path& file, const EncodedMap& image);
 
+/// Throws InputError for a PNG that ends before its IEND chunk; does nothing for files that are no PNG.
+/// (libpng would tell on standard error, and leave its caller by longjmp.)
+void requireWholePng(const std::filesystem::path& file);
+
 }  // namespace promenade::io
