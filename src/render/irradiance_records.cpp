@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "src/core/display.h"
+#include "src/render/basis.h"
 
 namespace promenade::render {
 namespace {
@@ -111,15 +112,18 @@ void IrradianceRecords::forEachLitNear(const glm::vec3& position, const Visit& v
   }
 }
 
+Rgb IrradianceRecords::radianceBeside(std::uint32_t record, const glm::vec3& position) const {
+  const Rgb& radiance = light_[record].radiance;
+  const Fit& gradient = fits_[record];
+  const glm::vec3 offset = position - places_[record].position;
+  const Rgb change(glm::dot(gradient.r, offset), glm::dot(gradient.g, offset), glm::dot(gradient.b, offset));
+  return radiance + glm::clamp(change, -kMostChange * radiance, kMostChange * radiance);
+}
+
 Rgb IrradianceRecords::radianceFrom(std::uint32_t record, const glm::vec3& position,
                                     const glm::vec3& normal) const {
-  SurfaceLight light = light_[record];
-  const RecordPlace& place = places_[record];
-  const Fit& gradient = fits_[record];
-  const glm::vec3 offset = position - place.position;
-  const Rgb change(glm::dot(gradient.r, offset), glm::dot(gradient.g, offset), glm::dot(gradient.b, offset));
-  light.radiance += glm::clamp(change, -kMostChange * light.radiance, kMostChange * light.radiance);
-  return radianceAround(light, place.normal, normal);
+  const SurfaceLight beside{radianceBeside(record, position), light_[record].meanDirection};
+  return radianceAround(beside, places_[record].normal, normal);
 }
 
 IrradianceRecords::Coverage IrradianceRecords::coverage(const glm::vec3& position,
@@ -173,8 +177,10 @@ void IrradianceRecords::place(const RecordPlace& place) {
   }
 }
 
-void IrradianceRecords::setLight(std::vector<SurfaceLight> light) {
+void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields) {
   assert(light.size() <= places_.size());
+  assert(fields.empty() || fields.size() == light.size());
+  fields_ = std::move(fields);
   gathered_ = std::move(light);
   light_ = gathered_;
   fileLit();
@@ -293,6 +299,43 @@ std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& positi
   });
   if (!(best > 0.0f)) return std::nullopt;
   return SurfaceLight{radianceFrom(record, position, normal), light_[record].meanDirection};
+}
+
+std::optional<Rgb> IrradianceRecords::meanArriving(
+    const glm::vec3& position, const glm::vec3& normal,
+    const std::function<float(const glm::vec3&)>& weight) const {
+  if (fields_.empty()) return std::nullopt;
+  // Neighbouring records often lie in one plane, and their cells point the same way.
+  glm::vec3 facing(0.0f);
+  std::array<float, LightField::kCells> lobe;
+  float wholeLobe = 0.0f;
+  Rgb sum(0.0f);
+  float weights = 0.0f;
+  forEachLitNear(position, [&](const Entry& entry) {
+    const float share = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
+    if (!(share > 0.0f)) return true;
+    if (entry.place.normal != facing) {
+      facing = entry.place.normal;
+      const Basis basis(facing);
+      wholeLobe = 0.0f;
+      for (std::size_t i = 0; i < LightField::kCells; ++i) {
+        lobe[i] = weight(basis.toWorld(LightField::directions()[i])) * LightField::solidAngles()[i];
+        wholeLobe += lobe[i];
+      }
+    }
+    const LightField& field = fields_[entry.record];
+    Rgb arriving(0.0f);
+    for (std::size_t i = 0; i < LightField::kCells; ++i) {
+      if (lobe[i] > 0.0f) arriving += lobe[i] * field.at(i);
+    }
+    // Noise and change of the light as a whole are known better than those of its parts.
+    const float known = luminance(radianceBeside(entry.record, position));
+    sum += share * known * arriving;
+    weights += share * wholeLobe;
+    return true;
+  });
+  if (!(weights > 0.0f)) return std::nullopt;
+  return sum / weights;
 }
 
 }  // namespace promenade::render

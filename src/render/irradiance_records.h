@@ -12,6 +12,7 @@
 // (irradiance_solution.h).
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "src/core/image.h"
+#include "src/render/light_field.h"
 
 namespace promenade::render {
 
@@ -69,9 +71,11 @@ class IrradianceRecords {
   [[nodiscard]] const std::vector<RecordPlace>& places() const { return places_; }
 
   /// Light of the first records, as many as `light` has, as it was gathered; the others are ignored until
-  /// theirs is set.
-  void setLight(std::vector<SurfaceLight> light);
+  /// theirs is set. `fields`: the same light by direction, in units of the luminance of its radiance; or
+  /// nothing.
+  void setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields = {});
   [[nodiscard]] const std::vector<SurfaceLight>& light() const { return gathered_; }
+  [[nodiscard]] const std::vector<LightField>& fields() const { return fields_; }
 
   /// Nothing where no lit record reaches.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
@@ -79,6 +83,10 @@ class IrradianceRecords {
   /// as neighbouring records agree. Good enough for light that bounces on.
   [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
                                                       const glm::vec3& normal) const;
+  /// Mean radiance that arrives at a place, weighted by `weight` >= 0 of its direction (unit, world space).
+  /// Nothing where no lit record with a field reaches, or where no weight is left.
+  [[nodiscard]] std::optional<Rgb> meanArriving(const glm::vec3& position, const glm::vec3& normal,
+                                                const std::function<float(const glm::vec3&)>& weight) const;
 
  private:
   /// Records are filed by the power of two above their reach, in every cell of that size that they may
@@ -111,6 +119,8 @@ class IrradianceRecords {
   /// `visit` returns whether to go on.
   template <class Visit>
   void forEachLitNear(const glm::vec3& position, const Visit& visit) const;
+  /// On an element that faces where the record does.
+  [[nodiscard]] Rgb radianceBeside(std::uint32_t record, const glm::vec3& position) const;
   [[nodiscard]] Rgb radianceFrom(std::uint32_t record, const glm::vec3& position,
                                  const glm::vec3& normal) const;
   [[nodiscard]] Fit fitAround(std::uint32_t record) const;
@@ -124,8 +134,9 @@ class IrradianceRecords {
   std::vector<SurfaceLight> gathered_;
   std::vector<SurfaceLight> light_;  // without the noise that the neighbours do not share
   std::vector<Fit> fits_;
-  std::vector<Entry> entries_;  // cell by cell
-  std::vector<Slot> slots_;     // open addressing; a power of two of them
+  std::vector<LightField> fields_;  // empty, or one for each
+  std::vector<Entry> entries_;      // cell by cell
+  std::vector<Slot> slots_;         // open addressing; a power of two of them
 };
 
 }  // namespace promenade::render

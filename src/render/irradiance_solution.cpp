@@ -219,10 +219,11 @@ class Gatherer {
 
   struct Effort {
     int pathsPerBatch, leastBatches, mostBatches;
+    bool byDirection;
   };
-  [[nodiscard]] Effort coarse() const { return {settings_.coarsePaths, 1, 1}; }
+  [[nodiscard]] Effort coarse() const { return {settings_.coarsePaths, 1, 1, false}; }
   [[nodiscard]] Effort fine() const {
-    return {settings_.pathsPerBatch, settings_.leastBatches, settings_.mostBatches};
+    return {settings_.pathsPerBatch, settings_.leastBatches, settings_.mostBatches, true};
   }
 
   /// Light of the records from `first` on.
@@ -230,12 +231,14 @@ class Gatherer {
     const auto& places = records.places();
     std::vector<SurfaceLight> light = records.light();
     light.resize(places.size());
+    std::vector<LightField> fields = records.fields();
+    if (effort.byDirection) fields.resize(places.size());
     std::mutex reporting;
     std::size_t done = 0;
     tbb::parallel_for(first, places.size(), [&](std::size_t i) {
       if (settings_.checkpoint) settings_.checkpoint();
       PathRays rays;
-      light[i] = lightAt(places[i], i, effort, rays);
+      light[i] = lightAt(places[i], i, effort, effort.byDirection ? &fields[i] : nullptr, rays);
       const std::scoped_lock lock(reporting);
       rays_.scattered += rays.scattered;
       rays_.shadow += rays.shadow;
@@ -244,22 +247,24 @@ class Gatherer {
         progress_({"light records", first + done, places.size()});
       }
     });
-    records.setLight(std::move(light));
+    records.setLight(std::move(light), std::move(fields));
   }
 
   [[nodiscard]] const PathRays& rays() const { return rays_; }
 
  private:
   [[nodiscard]] SurfaceLight lightAt(const RecordPlace& place, std::size_t number, const Effort& effort,
-                                     PathRays& rays) const {
+                                     LightField* field, PathRays& rays) const {
     SurfaceLight sum;
+    FieldSums sums;
     double squaredError = 0.0;  // of the sum of the batches
     int batches = 0;
     while (batches < effort.mostBatches) {
       Sampler::Stream stream =
           streamOf(static_cast<std::uint32_t>(batches), settings_.seed, effort.pathsPerBatch);
       stream.pixel = {static_cast<std::uint32_t>(number & 0xffffu), static_cast<std::uint32_t>(number >> 16)};
-      const SurfaceLight batch = tracer_.gather(place.position, place.normal, stream, rays);
+      const SurfaceLight batch =
+          tracer_.gather(place.position, place.normal, stream, rays, field != nullptr ? &sums : nullptr);
       ++batches;
       sum.radiance += batch.radiance;
       sum.meanDirection += batch.meanDirection * luminance(batch.radiance);
@@ -270,6 +275,8 @@ class Gatherer {
     const float whole = luminance(sum.radiance);
     if (whole > 0.0f) sum.meanDirection /= whole;
     sum.radiance /= static_cast<float>(batches);
+    const float unit = luminance(sum.radiance);
+    if (field != nullptr && unit > 0.0f) *field = sums.finish(batches * effort.pathsPerBatch, unit);
     sum.error = static_cast<float>(std::sqrt(squaredError)) / static_cast<float>(batches);
     return sum;
   }

@@ -2,6 +2,8 @@
 
 #include "src/render/path_tracer_internal.h"
 
+#include <numbers>
+
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
 
@@ -20,17 +22,47 @@ constexpr int kLeastFaintPaths = 16;
 /// until the standard error of a sample (without what stratification saves) is this share of it.
 constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.03f;
-/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is nearly as
-/// wide as the hemisphere, and a few paths would only add noise to it.
-constexpr float kBroadToTheEye = 0.8f;
+/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is wider than
+/// the solution's directions are apart, and a few paths would only add noise to it.
+constexpr float kBroadToTheEye = 0.5f;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
 
+/// A white matt surface that wants to know its light by direction: most of its samples are chosen by the
+/// cosine, the others evenly over the cells of a light field.
+class GatheringSurface {
+ public:
+  static constexpr float kForTheField = 0.25f;
+
+  [[nodiscard]] static BsdfValue evaluate(const glm::vec3& wi) {
+    BsdfValue value;
+    if (!(wi.z > 0.0f)) return value;
+    const float cosine = wi.z / std::numbers::pi_v<float>;
+    value.diffuse = Rgb(cosine);
+    value.pdf = glm::mix(cosine, LightField::pdf(wi), kForTheField);
+    return value;
+  }
+  [[nodiscard]] static BsdfSample sample(float choose, glm::vec2 u) {
+    BsdfSample s;
+    if (choose >= kForTheField) {
+      const float radius = std::sqrt(u.x);
+      const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
+      s.wi = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))};
+    } else {
+      s.wi = LightField::sample(u);
+    }
+    const BsdfValue value = evaluate(s.wi);
+    s.pdf = value.pdf;
+    if (s.pdf > 0.0f) s.diffuse = value.diffuse / s.pdf;
+    return s;
+  }
+};
+
 }  // namespace
 
 SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& normal,
-                                const Sampler::Stream& stream, PathRays& rays) const {
+                                const Sampler::Stream& stream, PathRays& rays, FieldSums* field) const {
   // A white matt surface seen from straight above: what it sends back is irradiance / pi.
   SurfaceLook look;
   look.bsdf.specular = 0.0f;
@@ -55,10 +87,12 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
     Rgb radiance{0.0f};
     glm::vec3 direction{0.0f};
   };
-  auto shadows = shadowBatch<Arriving>(embree_, [&add](const Arriving& light, const Rgb& transmittance) {
-    add(light.radiance * transmittance, light.direction);
+  auto shadows = shadowBatch<Arriving>(embree_, [&](const Arriving& light, const Rgb& transmittance) {
+    const Rgb share = light.radiance * transmittance;
+    add(share, light.direction);
+    if (field != nullptr) field->addLight(vertex.basis.toLocal(light.direction), share);
   });
-  const ScatteringSurface scattering(look.bsdf, vertex.wo);
+  const GatheringSurface scattering;
   const Shares asked = firstShares(vertex);
   const Shares shares{asked.environment * kLightsPerPath, asked.local * kLightsPerPath};
   Sampler::Stream lightStream = stream;
@@ -81,7 +115,9 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
     Carried next;
     scatter(vertex, s, world, shares, next);
     next.importance = largest(s.diffuse);
-    add(s.diffuse * follow(next, sampler, rays), world);
+    const Rgb arriving = follow(next, sampler, rays);
+    add(s.diffuse * arriving, world);
+    if (field != nullptr) field->addPath(s.wi, arriving);
   }
   shadows.flush();
   const float whole = luminance(sum.radiance);
@@ -135,8 +171,15 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     const Rgb under = radianceOnTurned(*known, vertex.facing, look.normal);
     result.diffuse += albedo.diffuse * under;
     if (isOpaqueBeyond(look.bsdf, kBroadToTheEye)) {
-      result.viewDependent += albedo.viewDependent * under;
-      return result;
+      const std::optional<Rgb> arriving =
+          settings_.solution->fine.meanArriving(vertex.position, vertex.facing, [&](const glm::vec3& world) {
+            const glm::vec3 wi = vertex.basis.toLocal(world);
+            return wi.z > 0.0f ? luminance(scattering.evaluate(wi).viewDependent) : 0.0f;
+          });
+      if (arriving) {
+        result.viewDependent += albedo.viewDependent * *arriving;
+        return result;
+      }
     }
     dropDiffuse(look.bsdf);
     scattering = ScatteringSurface(look.bsdf, vertex.wo);

@@ -46,9 +46,10 @@ class PathTracer {
                                      const Sampler::Stream& stream, PathRays& rays) const;
 
   /// Light on a surface element, the mean of stream.pathsPerPixel paths: everything but what point, spot and
-  /// directional lights send there directly, which every sample asks for itself.
+  /// directional lights send there directly, which every sample asks for itself. By direction, too, where
+  /// `field` is given; its z is along Basis(normal).
   [[nodiscard]] SurfaceLight gather(const glm::vec3& position, const glm::vec3& normal,
-                                    const Sampler::Stream& stream, PathRays& rays) const;
+                                    const Sampler::Stream& stream, PathRays& rays, FieldSums* field) const;
 
  private:
   struct Vertex;
@@ -68,9 +69,9 @@ class PathTracer {
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
   [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
   [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
-  template <class Add>
-  void sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
-                    float times, Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
+  template <class Scattering, class Add>
+  void sampleLights(const Vertex& vertex, const Scattering& scattering, const Shares& shares, float times,
+                    Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;

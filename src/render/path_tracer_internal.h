@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "src/render/basis.h"
 #include "src/render/path_tracer.h"
 #include "src/render/ray_offset.h"
 #include "src/render/scattering_surface.h"
@@ -26,22 +27,6 @@ inline float powerHeuristic(float pdf, float otherPdf) {
   const float ratio = otherPdf / pdf;
   return 1.0f / (1.0f + ratio * ratio);
 }
-
-/// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-struct Basis {
-  glm::vec3 x, y, z;
-  explicit Basis(const glm::vec3& normal) : z(normal) {
-    const float sign = std::copysign(1.0f, z.z);
-    const float a = -1.0f / (sign + z.z);
-    const float b = z.x * z.y * a;
-    x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};
-    y = {b, sign + z.y * z.y * a, -z.y};
-  }
-  [[nodiscard]] glm::vec3 toLocal(const glm::vec3& w) const {
-    return {glm::dot(w, x), glm::dot(w, y), glm::dot(w, z)};
-  }
-  [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
-};
 
 /// From this roughness on a reflection met on the way is as good as matt: the solution says what it shows.
 constexpr float kBroadRoughness = 0.5f;
@@ -154,8 +139,8 @@ ShadowBatch<Payload, Arrive> shadowBatch(const EmbreeScene& embree, Arrive arriv
 /// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
 /// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own. `times`:
 /// how often this is called for each time that the surface is sampled.
-template <class Add>
-void PathTracer::sampleLights(const Vertex& vertex, const ScatteringSurface& scattering, const Shares& shares,
+template <class Scattering, class Add>
+void PathTracer::sampleLights(const Vertex& vertex, const Scattering& scattering, const Shares& shares,
                               float times, Sampler& sampler, DeltaLights deltaLights, const Add& add) const {
   bool askEnvironment = shares.environment > 0.0f;
   bool askLocal = shares.local > 0.0f;

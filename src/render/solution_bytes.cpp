@@ -13,7 +13,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 /// Changes with the layout and with what decides the light.
-constexpr std::string_view kSignature = "PromenadeLight1\n";
+constexpr std::string_view kSignature = "PromenadeLight2\n";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t state = 0xcbf29ce484222325ull;  // FNV-1a
@@ -77,9 +77,11 @@ class Reader {
 };
 
 constexpr std::size_t kRecordBytes = 14 * sizeof(float);
+constexpr std::size_t kFieldBytes = LightField::kCells * sizeof(std::uint32_t);
 
 void addRecords(Writer& out, const IrradianceRecords& records) {
   out.add(static_cast<std::uint64_t>(records.places().size()));
+  out.add(static_cast<std::uint32_t>(records.fields().empty() ? 0 : 1));
   for (std::size_t i = 0; i < records.places().size(); ++i) {
     const RecordPlace& place = records.places()[i];
     const SurfaceLight& light = records.light()[i];
@@ -89,6 +91,8 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     out.add(light.radiance);
     out.add(light.meanDirection);
     out.add(light.error);
+    if (records.fields().empty()) continue;
+    for (const std::uint32_t cell : records.fields()[i].packed()) out.add(cell);
   }
 }
 
@@ -98,9 +102,11 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
 
 [[nodiscard]] std::optional<IrradianceRecords> recordsFrom(Reader& in) {
   const auto count = in.get<std::uint64_t>();
-  if (count > in.left() / kRecordBytes) return std::nullopt;
+  const bool hasFields = in.get<std::uint32_t>() != 0;
+  if (count > in.left() / (kRecordBytes + (hasFields ? kFieldBytes : 0))) return std::nullopt;
   IrradianceRecords records;
   std::vector<SurfaceLight> lights;
+  std::vector<LightField> fields(hasFields ? count : 0);
   for (std::uint64_t i = 0; i < count; ++i) {
     RecordPlace place;
     place.position = in.getVector();
@@ -116,8 +122,10 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     }
     records.place(place);
     lights.push_back(light);
+    if (!hasFields) continue;
+    for (std::uint32_t& cell : fields[i].packed()) cell = in.get<std::uint32_t>();
   }
-  records.setLight(std::move(lights));
+  records.setLight(std::move(lights), std::move(fields));
   return records;
 }
 
