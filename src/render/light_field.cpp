@@ -128,20 +128,30 @@ void FieldSums::addLight(const glm::vec3& direction, const Rgb& share) {
   spread(direction, [&](std::size_t cell, float weight) { lights_[cell] += weight * arriving; });
 }
 
-LightField FieldSums::finish(int paths, float unit) const {
+std::array<Rgb, LightField::kCells> FieldSums::seen() const {
   Rgb all(0.0f);
   float weights = 0.0f;
   for (std::size_t i = 0; i < LightField::kCells; ++i) {
-    all += paths_[i];
-    weights += weights_[i];
+    // Every cell alike, however many paths were sent there.
+    if (!(weights_[i] > 0.0f)) continue;
+    all += paths_[i] * (LightField::solidAngles()[i] / weights_[i]);
+    weights += LightField::solidAngles()[i];
   }
   const Rgb mean = weights > 0.0f ? all / weights : Rgb(0.0f);
   constexpr float kUnknown = 0.25f;  // of a path: how much a cell without paths is taken to be like the rest
+  std::array<Rgb, LightField::kCells> seen;
+  for (std::size_t i = 0; i < LightField::kCells; ++i) {
+    seen[i] = (paths_[i] + kUnknown * mean) / (weights_[i] + kUnknown);
+  }
+  return seen;
+}
+
+LightField FieldSums::finish(int paths, float unit) const {
+  const auto radiance = seen();
   LightField field;
   for (std::size_t i = 0; i < LightField::kCells; ++i) {
-    const Rgb seen = (paths_[i] + kUnknown * mean) / (weights_[i] + kUnknown);
     const Rgb lit = lights_[i] / (static_cast<float>(paths) * LightField::solidAngles()[i]);
-    field.set(i, (seen + lit) / unit);
+    field.set(i, (radiance[i] + lit) / unit);
   }
   return field;
 }

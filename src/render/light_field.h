@@ -44,7 +44,7 @@ class LightField {
 /// Collects what paths and light samples bring to a surface element. Directions are local, z > 0.
 class FieldSums {
  public:
-  /// `radiance` arrived along one of the directions that were chosen for the hemisphere's sake.
+  /// `radiance` arrived along a direction, however that was chosen.
   void addPath(const glm::vec3& direction, const Rgb& radiance);
   /// `share` of the radiance of a white matt surface (its mean is taken over `paths` below) is due to a light
   /// in this direction.
@@ -53,6 +53,9 @@ class FieldSums {
   [[nodiscard]] LightField finish(int paths, float unit) const;
 
  private:
+  /// Mean radiance of the paths in each cell.
+  [[nodiscard]] std::array<Rgb, LightField::kCells> seen() const;
+
   std::array<Rgb, LightField::kCells> paths_{};
   std::array<float, LightField::kCells> weights_{};
   std::array<Rgb, LightField::kCells> lights_{};

@@ -16,12 +16,13 @@ constexpr float kLeastTraced = 0.002f;
 /// faint reflection is then a smooth function of place and direction, the same in every frame, instead of
 /// grain that differs between keyframes. (A stronger reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
-/// ... and at least so many: fewer show as patterns that stand still while the walk goes on.
-constexpr int kLeastFaintPaths = 16;
-/// Whatever sends back more (and diffuse light where the solution knows none) gets up to this many paths,
-/// until the standard error of a sample (without what stratification saves) is this share of it.
+/// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
+/// bright one), and up to so many until the standard error of a sample, without what stratification saves, is
+/// this share of all it shows.
+constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.03f;
+constexpr float kFaintNoise = 0.01f;
 /// From this roughness on the reflection seen directly is taken from the solution too: its lobe is wider than
 /// the solution's directions are apart, and a few paths would only add noise to it.
 constexpr float kBroadToTheEye = 0.5f;
@@ -33,8 +34,6 @@ constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
 /// cosine, the others evenly over the cells of a light field.
 class GatheringSurface {
  public:
-  static constexpr float kForTheField = 0.25f;
-
   [[nodiscard]] static BsdfValue evaluate(const glm::vec3& wi) {
     BsdfValue value;
     if (!(wi.z > 0.0f)) return value;
@@ -45,18 +44,21 @@ class GatheringSurface {
   }
   [[nodiscard]] static BsdfSample sample(float choose, glm::vec2 u) {
     BsdfSample s;
-    if (choose >= kForTheField) {
+    if (choose < kForTheField) {
+      s.wi = LightField::sample(u);
+    } else {
       const float radius = std::sqrt(u.x);
       const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
       s.wi = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))};
-    } else {
-      s.wi = LightField::sample(u);
     }
     const BsdfValue value = evaluate(s.wi);
     s.pdf = value.pdf;
     if (s.pdf > 0.0f) s.diffuse = value.diffuse / s.pdf;
     return s;
   }
+
+ private:
+  static constexpr float kForTheField = 0.25f;
 };
 
 }  // namespace
@@ -195,10 +197,8 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     // Neighbours take turns with four sets of numbers, whose errors average out in a pixel.
     numbers.pixel = stream.pixel & 1u;
     numbers.frame = 0;
-    numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kLeastFaintPaths));
-  } else {
-    numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
   }
+  numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
   const Shares shares = firstShares(vertex);
   SampleRadiance sum;
   float squares = 0.0f;
@@ -238,14 +238,10 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
     const float variance = std::max(0.0f, squares / n - mean * mean) / n;
     const float whole = luminance(result.diffuse + result.viewDependent) + mean;
-    return std::sqrt(variance) <= kStrongNoise * whole;
+    return std::sqrt(variance) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
   };
-  traceBatch();
-  if (isFaint) {
-    while (count < kLeastFaintPaths) traceBatch();
-  } else {
-    while (count + settings_.pathsPerSample <= kMostPaths && !isClean()) traceBatch();
-  }
+  while (count < kLeastPaths) traceBatch();
+  while (count + settings_.pathsPerSample <= kMostPaths && !isClean()) traceBatch();
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;
   result.viewDependent += sum.viewDependent * each;

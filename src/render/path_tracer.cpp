@@ -182,7 +182,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       const BsdfAlbedo albedo = scattering.albedo();
       const Rgb under = radianceOnTurned(*known, vertex.facing, vertex.look.normal);
       const SampleRadiance direct = fromDeltaLights(vertex, scattering, rays);
-      const bool isBroad = isOpaqueBeyond(vertex.look.bsdf, kBroadRoughness);
+      const bool isBroad =
+          isOpaqueBeyond(vertex.look.bsdf, path.blurred ? kBroadToTheBlurred : kBroadRoughness);
       const Rgb reflected = isBroad ? albedo.diffuse + albedo.viewDependent : albedo.diffuse;
       add(path.throughput * (reflected * under + direct.diffuse + direct.viewDependent), path.bounces + 1);
       if (isBroad) break;

@@ -30,6 +30,9 @@ inline float powerHeuristic(float pdf, float otherPdf) {
 
 /// From this roughness on a reflection met on the way is as good as matt: the solution says what it shows.
 constexpr float kBroadRoughness = 0.5f;
+/// ... after a scattering that has blurred it already: what a glossy floor casts on a wall would be found by
+/// chance only, and is nearly the same when it leaves the floor in all directions.
+constexpr float kBroadToTheBlurred = 0.2f;
 
 /// Surfaces with less diffuse albedo than this have no records.
 constexpr float kLeastDiffuse = 0.01f;

@@ -222,6 +222,24 @@ TEST(LightSolution, AgreesWithPathsUnderAPanel) {
   EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), paths, 0.02 * paths);
 }
 
+TEST(LightSolution, AgreesWithPathsUnderASmallSunlitSpot) {
+  // A ceiling lit only by a spot of light on a dark floor, as through a small window.
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.05f)));
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.8f)));
+  tests::place(scene, tests::quad({-3.0f, 2.5f, -3.0f}, {6.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 6.0f}, 1));
+  tests::place(scene, tests::quad({1.0f, 0.01f, 0.5f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.0f, -0.5f}, 1));
+  PunctualLight light;
+  light.type = PunctualLight::Type::kDirectional;
+  light.intensity = Rgb(100.0f);
+  light.direction = glm::normalize(glm::vec3(-4.0f, -1.5f, 0.0f));  // in under the ceiling's edge
+  scene.lights.push_back(light);
+  const Camera camera = tests::lookingAt({0.0, 0.6, 2.0}, {0.2, 2.5, -0.2}, {64, 48}, 0.7);
+  PathSettings settings = fewPaths();
+  settings.pathsPerSample = 512;
+  const double paths = tests::meanRadiance(makePathRenderer(scene, settings)->render(camera, 0)).y;
+  EXPECT_NEAR(meanWithSolution(scene, camera, fewPaths()), paths, 0.02 * paths);
+}
+
 /// A ball on a floor under a sky, from either side.
 Scene ballScene() {
   Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.5f)));
