@@ -43,7 +43,7 @@ void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
     const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
     const BsdfAlbedo albedo = bsdfAlbedo(look.bsdf, std::max(1e-3f, -glm::dot(look.normal, ray.direction)));
     if (!look.unlit && look.alpha > 0.0f &&
-        (largest(albedo.diffuse) > kLeastDiffuse || isOpaqueBeyond(look.bsdf, kBroadRoughness))) {
+        (largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf))) {
       candidates.push_back({point.position, facing, width});
     }
     const bool passes = look.alpha < 1.0f || (look.bsdf.thinWalled && look.bsdf.transmission > 0.5f);

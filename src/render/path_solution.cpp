@@ -23,9 +23,6 @@ constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.03f;
 constexpr float kFaintNoise = 0.01f;
-/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is wider than
-/// the solution's directions are apart, and a few paths would only add noise to it.
-constexpr float kBroadToTheEye = 0.5f;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
@@ -163,16 +160,15 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
   ScatteringSurface scattering(look.bsdf, vertex.wo);
   const BsdfAlbedo albedo = scattering.albedo();
   const std::optional<SurfaceLight> known =
-      largest(albedo.diffuse) > kLeastDiffuse || isOpaqueBeyond(look.bsdf, kBroadToTheEye)
-          ? lightFromSolution(vertex)
-          : SurfaceLight{};
+      largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf) ? lightFromSolution(vertex)
+                                                                            : SurfaceLight{};
   SampleRadiance result = fromDeltaLights(vertex, scattering, rays);
   result.diffuse += look.emission;
   Rgb traced = albedo.viewDependent;
   if (known) {
     const Rgb under = radianceOnTurned(*known, vertex.facing, look.normal);
     result.diffuse += albedo.diffuse * under;
-    if (isOpaqueBeyond(look.bsdf, kBroadToTheEye)) {
+    if (isBroadToTheEye(look.bsdf)) {
       const std::optional<Rgb> arriving =
           settings_.solution->fine.meanArriving(vertex.position, vertex.facing, [&](const glm::vec3& world) {
             const glm::vec3 wi = vertex.basis.toLocal(world);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -34,12 +35,21 @@ constexpr float kBroadRoughness = 0.5f;
 /// chance only, and is nearly the same when it leaves the floor in all directions.
 constexpr float kBroadToTheBlurred = 0.2f;
 
-/// Surfaces with less diffuse albedo than this have no records.
+/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is wider than
+/// the solution's directions are apart, and a few paths would only add noise to it. A metal shows nothing
+/// else, and what the cells blur shows sooner.
+constexpr float kBroadToTheEye = 0.4f, kBroadMetalToTheEye = 0.5f;
+
+/// Surfaces with less diffuse albedo than this have no records, unless their reflection is broad.
 constexpr float kLeastDiffuse = 0.01f;
 
 /// Whether all that the material sends back is as broad as a lobe of that roughness.
 inline bool isOpaqueBeyond(const BsdfParameters& bsdf, float roughness) {
   return bsdf.roughness >= roughness && bsdf.transmission <= 0.0f && bsdf.clearcoat <= 0.0f;
+}
+
+inline bool isBroadToTheEye(const BsdfParameters& bsdf) {
+  return isOpaqueBeyond(bsdf, glm::mix(kBroadToTheEye, kBroadMetalToTheEye, bsdf.metallic));
 }
 
 /// Takes the diffuse part away where that leaves the rest as it was, so that no samples are spent on it.
