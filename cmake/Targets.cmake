@@ -13,14 +13,18 @@ if(PROMENADE_SANITIZE)
   target_link_options(promenade_flags INTERFACE -fsanitize=${PROMENADE_SANITIZE})
 endif()
 
-# promenade_library(NAME SOURCES a.cpp ... [PUBLIC target ...] [PRIVATE target ...]): promenade::NAME.
+# promenade_library(NAME SOURCES a.cpp ... [HEADERS a.h ...] [PUBLIC target ...] [PRIVATE target ...]): promenade::NAME.
+# HEADERS are those that other programs get (cmake/Package.cmake).
 function(promenade_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(promenade_${name} STATIC ${ARG_SOURCES})
   add_library(promenade::${name} ALIAS promenade_${name})
   set_target_properties(promenade_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(promenade_${name} PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:promenade_flags> ${ARG_PRIVATE})
   target_include_directories(promenade_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  if(ARG_HEADERS)
+    target_sources(promenade_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+  endif()
 endfunction()
 
 # promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...] [TIMEOUT seconds] [SLOW Suite.Test ...]):
