@@ -43,10 +43,10 @@ struct SolutionSettings {
   float disagreement = 0.05f;
   float darkness = 0.1f;
 
-  int coarsePaths = 256;  ///< per record
+  int coarsePaths = 128;  ///< per record
   int pathsPerBatch = 256;
   int leastBatches = 2;
-  int mostBatches = 8;
+  int mostBatches = 4;
   /// Gathering ends when the standard error of a record's luminance is below this share of it: that of
   /// independent paths, which stratification keeps well below.
   float relativeError = 0.03f;

@@ -1,6 +1,7 @@
 #include "src/render/light_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
@@ -107,7 +108,11 @@ float LightField::pdf(const glm::vec3& direction) {
 }
 
 Rgb LightField::at(std::size_t cell) const {
-  return glm::unpackF3x9_E1x5(packed_[cell]);
+  // As glm::unpackF3x9_E1x5() does, without its call of pow().
+  const std::uint32_t bits = packed_[cell];
+  constexpr std::uint32_t kBias = 15 + 9, kFloatBias = 127, kFloatMantissa = 23;
+  const auto scale = std::bit_cast<float>(((bits >> 27) + kFloatBias - kBias) << kFloatMantissa);
+  return scale * Rgb(bits & 0x1ffu, (bits >> 9) & 0x1ffu, (bits >> 18) & 0x1ffu);
 }
 
 void LightField::set(std::size_t cell, const Rgb& radiance) {

@@ -20,9 +20,13 @@ constexpr float kFaint = 0.25f;
 /// bright one), and up to so many until the standard error of a sample, without what stratification saves, is
 /// this share of all it shows.
 constexpr int kLeastPaths = 16;
+/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
+/// polished floor is clean after these.
+constexpr float kNarrow = 0.1f;
+constexpr int kLeastNarrowPaths = 4;
 constexpr int kMostPaths = 256;
-constexpr float kStrongNoise = 0.03f;
-constexpr float kFaintNoise = 0.01f;
+constexpr float kStrongNoise = 0.05f;
+constexpr float kFaintNoise = 0.015f;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
@@ -209,8 +213,8 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
         add({light.diffuse * transmittance, light.viewDependent * transmittance});
       });
   int count = 0;
-  const auto traceBatch = [&] {
-    for (const int end = count + settings_.pathsPerSample; count < end; ++count) {
+  const auto trace = [&](int paths) {
+    for (const int end = count + paths; count < end; ++count) {
       Sampler sampler(numbers, static_cast<std::uint32_t>(count));
       sampleLights(vertex, scattering, shares, 1.0f, sampler, DeltaLights::kExcluded,
                    [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
@@ -236,8 +240,11 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     const float whole = luminance(result.diffuse + result.viewDependent) + mean;
     return std::sqrt(variance) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
   };
-  while (count < kLeastPaths) traceBatch();
-  while (count + settings_.pathsPerSample <= kMostPaths && !isClean()) traceBatch();
+  const bool isNarrow = look.bsdf.roughness < kNarrow &&
+                        !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
+  trace(isNarrow ? kLeastNarrowPaths : kLeastPaths);
+  const int most = std::max(kMostPaths, settings_.pathsPerSample);
+  while (count < most && !isClean()) trace(std::min(count, most - count));
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;
   result.viewDependent += sum.viewDependent * each;
