@@ -20,13 +20,13 @@ constexpr float kFaint = 0.25f;
 /// bright one), and up to so many until the standard error of a sample, without what stratification saves, is
 /// this share of all it shows.
 constexpr int kLeastPaths = 16;
-/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
-/// polished floor is clean after these.
-constexpr float kNarrow = 0.1f;
-constexpr int kLeastNarrowPaths = 4;
 constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.05f;
 constexpr float kFaintNoise = 0.015f;
+/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
+/// polished floor may be clean after these.
+constexpr float kNarrow = 0.1f;
+constexpr int kLeastNarrowPaths = 4;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
