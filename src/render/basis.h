@@ -1,8 +1,12 @@
 #pragma once
+// Frames around a normal, and directions in them.
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 
 namespace promenade::render {
 
@@ -21,5 +25,12 @@ struct Basis {
   }
   [[nodiscard]] glm::vec3 toWorld(const glm::vec3& l) const { return l.x * x + l.y * y + l.z * z; }
 };
+
+/// A direction above the plane z = 0 with density z / pi; `u` in [0, 1)^2.
+inline glm::vec3 sampleCosine(glm::vec2 u) {
+  const float radius = std::sqrt(u.x);
+  const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
+  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))};
+}
 
 }  // namespace promenade::render

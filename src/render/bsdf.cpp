@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/render/basis.h"
 #include "src/render/scattering_surface.h"
 
 namespace promenade::render {
@@ -13,12 +14,6 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kCoatF0 = 0.04f;
 constexpr glm::vec3 kNormal(0.0f, 0.0f, 1.0f);
-
-glm::vec3 sampleCosine(glm::vec2 u) {
-  const float radius = std::sqrt(u.x);
-  const float phi = 2.0f * kPi * u.y;
-  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))};
-}
 
 /// Any direction at that angle: scattering is isotropic.
 glm::vec3 directionOf(float cosine) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
-#include <numbers>
 
 #include "src/core/display.h"
 #include "src/render/path_tracer_internal.h"
@@ -62,13 +61,9 @@ void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
 
 /// Cosine-distributed rays from a surface element.
 Ray rayFrom(const glm::vec3& position, const Basis& basis, Sampler& sampler) {
-  const glm::vec2 u = sampler.next2D();
-  const float radius = std::sqrt(u.x);
-  const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
   Ray ray;
   ray.origin = offsetRayOrigin(position, basis.z);
-  ray.direction =
-      basis.toWorld({radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))});
+  ray.direction = basis.toWorld(sampleCosine(sampler.next2D()));
   return ray;
 }
 

@@ -45,13 +45,7 @@ class GatheringSurface {
   }
   [[nodiscard]] static BsdfSample sample(float choose, glm::vec2 u) {
     BsdfSample s;
-    if (choose < kForTheField) {
-      s.wi = LightField::sample(u);
-    } else {
-      const float radius = std::sqrt(u.x);
-      const float phi = 2.0f * std::numbers::pi_v<float> * u.y;
-      s.wi = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - u.x))};
-    }
+    s.wi = choose < kForTheField ? LightField::sample(u) : sampleCosine(u);
     const BsdfValue value = evaluate(s.wi);
     s.pdf = value.pdf;
     if (s.pdf > 0.0f) s.diffuse = value.diffuse / s.pdf;
