@@ -25,24 +25,35 @@ glm::vec3 directionOf(float cosine) {
 BsdfValue ScatteringSurface::evaluateReflection(const glm::vec3& wi) const {
   BsdfValue value;
   const float cosIn = wi.z;
-  const glm::vec3 h = glm::normalize(wo_ + wi);
   const SpecularAlbedo in = facets_.directional(cosIn);
   value.diffuse = diffuseColor_ * (underCoat_ * (1.0f - layerAlbedo(in)) * cosIn);
   value.viewDependent = againColor_ * (underCoat_ * againScale_ * (1.0f - in.whole()) * cosIn);
   value.pdf = chooseUp_ * cosIn * (1.0f / kPi);
   if (!smooth_) {
+    const glm::vec3 h = glm::normalize(wo_ + wi);
     const FacetColors colors = facetColors(h);
     const float d = ggx_.distribution(h);
     value.viewDependent += colors.reflected * (underCoat_ * d * ggx_.visibility(wo_.z, cosIn) * cosIn);
     value.pdf += chooseFacet_ * colors.reflectionProbability() * d * ggx_.visibility(wo_.z);
   }
   if (coat_ > 0.0f && !coatSmooth_) {
-    const float fresnel = coat_ * (kCoatF0 + (1.0f - kCoatF0) * schlickWeight(glm::dot(wo_, h)));
-    const float d = coatGgx_.distribution(h);
-    const float again = coatAgain_ * (1.0f - coatFacets_.directional(cosIn).whole());
-    value.viewDependent += Rgb((fresnel * d * coatGgx_.visibility(wo_.z, cosIn) + again) * cosIn);
-    value.pdf += chooseCoat_ * d * coatGgx_.visibility(wo_.z);
+    const BsdfValue coat = evaluateRoughCoat(wi);
+    value.viewDependent += coat.viewDependent;
+    value.pdf += coat.pdf;
   }
+  return value;
+}
+
+BsdfValue ScatteringSurface::evaluateRoughCoat(const glm::vec3& wi) const {
+  BsdfValue value;
+  const glm::vec3 in = coatBasis_.toLocal(wi);
+  if (!(in.z > 0.0f)) return value;
+  const glm::vec3 h = glm::normalize(coatWo_ + in);
+  const float fresnel = coat_ * (kCoatF0 + (1.0f - kCoatF0) * schlickWeight(glm::dot(coatWo_, h)));
+  const float d = coatGgx_.distribution(h);
+  const float again = coatAgain_ * (1.0f - coatFacets_.directional(in.z).whole());
+  value.viewDependent = Rgb((fresnel * d * coatGgx_.visibility(coatWo_.z, in.z) + again) * in.z);
+  value.pdf = chooseCoat_ * d * coatGgx_.visibility(coatWo_.z);
   return value;
 }
 
@@ -121,14 +132,17 @@ BsdfSample ScatteringSurface::sample(float choose, glm::vec2 u) const {
   BsdfSample result;
   if (choose < chooseCoat_) {
     if (coatSmooth_) {
-      result.wi = {-wo_.x, -wo_.y, wo_.z};
+      result.wi = coatBasis_.toWorld({-coatWo_.x, -coatWo_.y, coatWo_.z});
+      if (result.wi.z <= 0.0f) return {};
       result.pdf = chooseCoat_;
       result.viewDependent = Rgb(coat_ * coatOut_.of(kCoatF0, 1.0f) / chooseCoat_);
       result.delta = true;
       return result;
     }
-    const glm::vec3 h = coatGgx_.sampleVisibleNormal(wo_, u);
-    result.wi = h * (2.0f * glm::dot(wo_, h)) - wo_;
+    const glm::vec3 h = coatGgx_.sampleVisibleNormal(coatWo_, u);
+    const glm::vec3 in = h * (2.0f * glm::dot(coatWo_, h)) - coatWo_;
+    if (in.z <= 0.0f) return {};
+    result.wi = coatBasis_.toWorld(in);
     if (result.wi.z <= 0.0f) return {};
   } else if (choose < chooseCoat_ + chooseFacet_) {
     const float again = std::min((choose - chooseCoat_) / chooseFacet_, 0x1.fffffep-1f);

@@ -29,6 +29,8 @@ struct BsdfParameters {
   bool insideMaterial = false;  ///< wo arrives from within the volume (thinWalled == false only)
   float clearcoat = 0.0f;
   float clearcoatRoughness = 0.0f;
+  glm::vec3 clearcoatNormal{0.0f, 0.0f,
+                            1.0f};  ///< unit; a normal map may belong to the base or the coat alone
 };
 
 /// Value of the scattering function times |cos(theta_i)|, and the probability density (solid angle) with

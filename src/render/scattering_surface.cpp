@@ -1,16 +1,14 @@
 // glTF 2.0, appendix B (metallic-roughness), with KHR_materials_ior, _specular, _clearcoat, _transmission,
 // _volume. Departures, all for the sake of energy conservation:
 // - Masked light is given back: a diffuse-like lobe of the missing energy for reflection and for thin walls
-// (Kulla and
-//   Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH 2017 course), a scaling of the lobes
-//   by one over their albedo for refracting boundaries (Turquin, Practical Multiple Scattering Compensation,
-//   2019), which is not reciprocal.
-// - Diffuse light under the dielectric layer is scaled by the layer's albedo both ways, (1 - E(o)) (1 - E(i))
-// /
-//   (1 - Eavg) (Kelemen and Szirmay-Kalos 2001), instead of 1 - F(v.h): reciprocal, and white stays white.
+//   (Kulla and Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH 2017 course), a scaling of
+//   the lobes by one over their albedo for refracting boundaries (Turquin, Practical Multiple Scattering
+//   Compensation, 2019), which is not reciprocal.
+// - Diffuse light under the dielectric layer is scaled by the layer's albedo both ways,
+//   (1 - E(o)) (1 - E(i)) / (1 - Eavg) (Kelemen and Szirmay-Kalos 2001), instead of 1 - F(v.h): reciprocal,
+//   and white stays white.
 // - What lies under the clearcoat is scaled by 1 - the coat's albedo towards wo, where the extension has the
-// Fresnel
-//   term there: like the extension's, not reciprocal.
+//   Fresnel term there: like the extension's, not reciprocal.
 #include "src/render/scattering_surface.h"
 
 #include <cmath>
@@ -63,7 +61,9 @@ ScatteringSurface::ScatteringSurface(const BsdfParameters& p, const glm::vec3& w
       ggx_(alphaOf(p.roughness)),
       base_(glm::clamp(p.baseColor, 0.0f, 1.0f)),
       out_(facets_.directional(wo.z)),
-      coat_(p.insideMaterial ? 0.0f : unitRange(p.clearcoat)),
+      coatBasis_(p.clearcoatNormal),
+      coatWo_(coatBasis_.toLocal(wo)),
+      coat_(p.insideMaterial || !(coatWo_.z > 0.0f) ? 0.0f : unitRange(p.clearcoat)),
       coatSmooth_(p.clearcoatRoughness < kSmoothRoughness),
       coatGgx_(alphaOf(p.clearcoatRoughness)) {
   const float metal = unitRange(p.metallic);
@@ -98,7 +98,7 @@ ScatteringSurface::ScatteringSurface(const BsdfParameters& p, const glm::vec3& w
   float coatAlbedo = 0.0f;
   if (coat_ > 0.0f) {
     coatFacets_ = specularAlbedoTable().at(unitRange(p.clearcoatRoughness));
-    coatOut_ = coatFacets_.directional(wo.z);
+    coatOut_ = coatFacets_.directional(coatWo_.z);
     coatAlbedo = coat_ * coatOut_.of(kCoatF0, 1.0f);
     underCoat_ = 1.0f - coatAlbedo;
     if (!coatSmooth_) {

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "src/render/albedo_tables.h"
+#include "src/render/basis.h"
 #include "src/render/bsdf.h"
 #include "src/render/microfacet.h"
 
@@ -37,6 +38,7 @@ class ScatteringSurface {
   };
   [[nodiscard]] FacetColors facetColors(const glm::vec3& h) const;
   [[nodiscard]] BsdfValue evaluateReflection(const glm::vec3& wi) const;
+  [[nodiscard]] BsdfValue evaluateRoughCoat(const glm::vec3& wi) const;
   [[nodiscard]] BsdfValue evaluateTransmission(const glm::vec3& wi) const;
   [[nodiscard]] BsdfSample sampleSmoothBase(float choose) const;
   [[nodiscard]] glm::vec3 sampleRoughBase(float choose, glm::vec2 u) const;
@@ -64,8 +66,10 @@ class ScatteringSurface {
   float layerAgain_;
   Rgb diffuseColor_;  // times (1 - layer albedo towards wi)
 
-  // The clearcoat.
-  float coat_;
+  // The clearcoat, which has a frame of its own.
+  Basis coatBasis_;
+  glm::vec3 coatWo_;
+  float coat_;  // 0 where wo is under its horizon
   SpecularAlbedoTable::Row coatFacets_;
   bool coatSmooth_;
   Ggx coatGgx_;

@@ -6,6 +6,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "src/render/basis.h"
 #include "src/render/material_textures.h"
 #include "src/render/surfaces.h"
 
@@ -30,6 +31,51 @@ glm::vec3 reflectingAbove(const glm::vec3& normal, const glm::vec3& geometric, c
   const float squared = glm::dot(half, half);
   const glm::vec3 bent = squared > 1e-8f ? half / std::sqrt(squared) : geometric;
   return glm::dot(bent, out) > 1e-3f ? bent : geometric;
+}
+
+/// `texel` of a normal map in the frame of the mesh's tangents; the point's own normal where there is none.
+glm::vec3 mappedNormal(const SurfacePoint& point, const glm::vec4& texel, float scale) {
+  const glm::vec3& normal = point.normal;
+  const glm::vec3 tangent = glm::vec3(point.tangent) - glm::dot(glm::vec3(point.tangent), normal) * normal;
+  const float length = glm::length(tangent);
+  if (!(length > 1e-6f)) return normal;
+  const glm::vec3 x = tangent / length;
+  const glm::vec3 y = glm::cross(normal, x) * point.tangent.w;
+  glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
+  n.x *= scale;
+  n.y *= scale;
+  const glm::vec3 mapped = n.x * x + n.y * y + std::max(n.z, 0.0f) * normal;
+  const float mappedLength = glm::length(mapped);
+  return mappedLength > 1e-6f ? mapped / mappedLength : normal;
+}
+
+/// `base`: the base colour, textures and vertex colours applied; `look` reads any other texture. Which side
+/// the light comes from, and the coat's normal, are left to the caller.
+template <class Look>
+BsdfParameters parametersOf(const Material& material, const glm::vec4& base, const Look& look) {
+  BsdfParameters bsdf;
+  bsdf.baseColor = glm::min(Rgb(base), Rgb(1.0f));
+  bsdf.metallic = material.metallic;
+  bsdf.roughness = material.roughness;
+  if (material.metallicRoughnessTexture) {
+    const glm::vec4 texel = look(material.metallicRoughnessTexture);
+    bsdf.roughness *= texel.g;
+    bsdf.metallic *= texel.b;
+  }
+  bsdf.ior = material.ior;
+  bsdf.specular = material.specular;
+  if (material.specularTexture) bsdf.specular *= look(material.specularTexture).a;
+  bsdf.specularColor = material.specularColor;
+  if (material.specularColorTexture) bsdf.specularColor *= Rgb(look(material.specularColorTexture));
+  bsdf.transmission = material.transmission;
+  if (material.transmissionTexture) bsdf.transmission *= look(material.transmissionTexture).r;
+  bsdf.thinWalled = material.thickness <= 0.0f;
+  bsdf.clearcoat = material.clearcoat;
+  if (material.clearcoatTexture) bsdf.clearcoat *= look(material.clearcoatTexture).r;
+  bsdf.clearcoatRoughness = material.clearcoatRoughness;
+  if (material.clearcoatRoughnessTexture)
+    bsdf.clearcoatRoughness *= look(material.clearcoatRoughnessTexture).g;
+  return bsdf;
 }
 
 glm::vec2 texCoordOf(const Mesh& mesh, const Texture& texture, const glm::uvec3& t, glm::vec2 barycentric) {
@@ -59,7 +105,6 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
   SurfaceLook result;
   glm::vec4 base = material.baseColor * point.color;
   if (material.baseColorTexture) base *= look(material.baseColorTexture);
-  result.bsdf.baseColor = glm::min(Rgb(base), Rgb(1.0f));
   if (material.alphaMode == AlphaMode::kBlend) result.alpha = std::clamp(base.a, 0.0f, 1.0f);
   if (material.unlit) {
     result.unlit = true;
@@ -68,28 +113,8 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
     return result;
   }
 
-  BsdfParameters& bsdf = result.bsdf;
-  bsdf.metallic = material.metallic;
-  bsdf.roughness = material.roughness;
-  if (material.metallicRoughnessTexture) {
-    const glm::vec4 texel = look(material.metallicRoughnessTexture);
-    bsdf.roughness *= texel.g;
-    bsdf.metallic *= texel.b;
-  }
-  bsdf.ior = material.ior;
-  bsdf.specular = material.specular;
-  if (material.specularTexture) bsdf.specular *= look(material.specularTexture).a;
-  bsdf.specularColor = material.specularColor;
-  if (material.specularColorTexture) bsdf.specularColor *= Rgb(look(material.specularColorTexture));
-  bsdf.transmission = material.transmission;
-  if (material.transmissionTexture) bsdf.transmission *= look(material.transmissionTexture).r;
-  bsdf.thinWalled = material.thickness <= 0.0f;
-  bsdf.insideMaterial = !bsdf.thinWalled && !point.frontFace;
-  bsdf.clearcoat = material.clearcoat;
-  if (material.clearcoatTexture) bsdf.clearcoat *= look(material.clearcoatTexture).r;
-  bsdf.clearcoatRoughness = material.clearcoatRoughness;
-  if (material.clearcoatRoughnessTexture)
-    bsdf.clearcoatRoughness *= look(material.clearcoatRoughnessTexture).g;
+  result.bsdf = parametersOf(material, base, look);
+  result.bsdf.insideMaterial = !result.bsdf.thinWalled && !point.frontFace;
 
   // A single-sided surface shines from its front only.
   if (material.emission != Rgb(0.0f) && (point.frontFace || material.doubleSided)) {
@@ -97,23 +122,17 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
     if (material.emissionTexture) result.emission *= Rgb(look(material.emissionTexture));
   }
 
-  glm::vec3 normal = point.normal;
-  if (material.normalTexture && point.tangent.w != 0.0f) {
-    const glm::vec3 tangent = glm::vec3(point.tangent) - glm::dot(glm::vec3(point.tangent), normal) * normal;
-    const float length = glm::length(tangent);
-    if (length > 1e-6f) {
-      const glm::vec3 x = tangent / length;
-      const glm::vec3 y = glm::cross(normal, x) * point.tangent.w;
-      glm::vec3 n = 2.0f * glm::vec3(look(material.normalTexture)) - 1.0f;
-      n.x *= material.normalScale;
-      n.y *= material.normalScale;
-      const glm::vec3 mapped = n.x * x + n.y * y + std::max(n.z, 0.0f) * normal;
-      const float mappedLength = glm::length(mapped);
-      if (mappedLength > 1e-6f) normal = mapped / mappedLength;
-    }
-  }
   const float side = point.frontFace ? 1.0f : -1.0f;
-  result.normal = reflectingAbove(side * normal, side * point.geometricNormal, -direction);
+  const auto facing = [&](const std::optional<Texture>& map, float scale) {
+    const glm::vec3 normal =
+        map && point.tangent.w != 0.0f ? mappedNormal(point, look(map), scale) : point.normal;
+    return reflectingAbove(side * normal, side * point.geometricNormal, -direction);
+  };
+  result.normal = facing(material.normalTexture, material.normalScale);
+  if (result.bsdf.clearcoat > 0.0f && (material.normalTexture || material.clearcoatNormalTexture)) {
+    const glm::vec3 coat = facing(material.clearcoatNormalTexture, material.clearcoatNormalScale);
+    result.bsdf.clearcoatNormal = Basis(result.normal).toLocal(coat);
+  }
   return result;
 }
 
@@ -191,31 +210,17 @@ Rgb Surfaces::shadowTransmittance(std::uint32_t meshIndex, std::uint32_t triangl
     return Rgb(1.0f - alpha);
   }
   const glm::uvec3 t = mesh.triangles[triangle];
-  const auto look = [&](const Texture& texture) {
-    return textures_->finest(texture, texCoordOf(mesh, texture, t, barycentric));
+  const auto look = [&](const std::optional<Texture>& texture) {
+    return textures_->finest(*texture, texCoordOf(mesh, *texture, t, barycentric));
   };
-  BsdfParameters bsdf;
   glm::vec4 base = material.baseColor;
   if (!mesh.colors.empty()) {
     base *= mesh.colors[t.x] * (1.0f - barycentric.x - barycentric.y) + mesh.colors[t.y] * barycentric.x +
             mesh.colors[t.z] * barycentric.y;
   }
-  if (material.baseColorTexture) base *= look(*material.baseColorTexture);
-  bsdf.baseColor = glm::min(Rgb(base), Rgb(1.0f));
-  bsdf.metallic = material.metallic;
-  bsdf.roughness = material.roughness;
-  if (material.metallicRoughnessTexture) {
-    const glm::vec4 texel = look(*material.metallicRoughnessTexture);
-    bsdf.roughness *= texel.g;
-    bsdf.metallic *= texel.b;
-  }
-  bsdf.ior = material.ior;
-  bsdf.specular = material.specular;
-  bsdf.specularColor = material.specularColor;
-  bsdf.transmission = material.transmission;
-  if (material.transmissionTexture) bsdf.transmission *= look(*material.transmissionTexture).r;
-  bsdf.clearcoat = material.clearcoat;
-  bsdf.clearcoatRoughness = material.clearcoatRoughness;
+  if (material.baseColorTexture) base *= look(material.baseColorTexture);
+  BsdfParameters bsdf = parametersOf(material, base, look);
+  bsdf.thinWalled = true;
   const float scale = std::sqrt(glm::dot(normal, normal) * glm::dot(direction, direction));
   const float cosine = scale > 0.0f ? std::abs(glm::dot(normal, direction)) / scale : 1.0f;
   Rgb through = straightTransmittance(bsdf, cosine);

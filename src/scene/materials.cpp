@@ -126,8 +126,9 @@ class MaterialReader {
     material_.clearcoatRoughness = unit(coat, "clearcoatRoughnessFactor", 0.0f);
     material_.clearcoatRoughnessTexture =
         textures_.read(coat.object("clearcoatRoughnessTexture"), TexelEncoding::kLinear);
-    material_.clearcoatNormalTexture =
-        textures_.read(coat.object("clearcoatNormalTexture"), TexelEncoding::kLinear);
+    const Fields normal = coat.object("clearcoatNormalTexture");
+    material_.clearcoatNormalTexture = textures_.read(normal, TexelEncoding::kLinear);
+    material_.clearcoatNormalScale = normal.number("scale", 1.0f);
   }
 
   const Gltf& gltf_;

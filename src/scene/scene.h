@@ -75,7 +75,8 @@ struct Material {
   std::optional<Texture> clearcoatTexture;      // R
   float clearcoatRoughness = 0.0f;
   std::optional<Texture> clearcoatRoughnessTexture;  // G
-  std::optional<Texture> clearcoatNormalTexture;
+  std::optional<Texture> clearcoatNormalTexture;     ///< without it the coat is as smooth as the mesh
+  float clearcoatNormalScale = 1.0f;
 };
 
 /// Triangles with one material, in object space. Attribute arrays are empty or as long as `positions`.

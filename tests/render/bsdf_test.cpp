@@ -64,6 +64,40 @@ TEST(Bsdf, ReflectsLikeAMirrorWhereSmooth) {
   EXPECT_EQ(evaluateBsdf(p, wo, s.wi).pdf, 0.0f) << "a mirror cannot be found by chance";
 }
 
+TEST(Bsdf, MirrorsInASmoothCoatAboutTheCoatsOwnNormal) {
+  // A coat that is tilted by 0.4 about y mirrors the direction straight above to twice that; it reflects
+  // Schlick's 0.04 + 0.96 (1 - cos 0.4)^5 there, and the black base under it nothing.
+  BsdfParameters p;
+  p.baseColor = Rgb(0.0f);
+  p.specular = 0.0f;
+  p.clearcoat = 1.0f;
+  p.clearcoatNormal = {std::sin(0.4f), 0.0f, std::cos(0.4f)};
+  double reflected = 0.0;
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    const BsdfSample s = draw(p, {0.0f, 0.0f, 1.0f}, i);
+    if (!(s.pdf > 0.0f)) continue;
+    ASSERT_TRUE(s.delta);
+    EXPECT_NEAR(glm::distance(s.wi, glm::vec3(std::sin(0.8f), 0.0f, std::cos(0.8f))), 0.0f, 1e-6f);
+    reflected += s.viewDependent.g / 256.0;
+  }
+  EXPECT_NEAR(reflected, 0.04 + 0.96 * std::pow(1.0 - std::cos(0.4), 5.0), 1e-4);
+}
+
+TEST(Bsdf, LosesACoatThatFacesAwayFromTheEye) {
+  BsdfParameters p;
+  p.roughness = 0.5f;
+  const glm::vec3 wo = directionOf(0.3, 0.0);
+  const glm::vec3 wi = directionOf(0.6, 1.0);
+  const BsdfValue bare = evaluateBsdf(p, wo, wi);
+  p.clearcoat = 1.0f;
+  p.clearcoatRoughness = 0.3f;
+  p.clearcoatNormal = directionOf(0.3, kPi);  // cosine with wo: 0.3 * 0.3 - 0.91 < 0
+  const BsdfValue coated = evaluateBsdf(p, wo, wi);
+  EXPECT_EQ(coated.viewDependent.g, bare.viewDependent.g);
+  EXPECT_EQ(coated.diffuse.g, bare.diffuse.g);
+  EXPECT_EQ(coated.pdf, bare.pdf);
+}
+
 TEST(Bsdf, RefractsBySnellsLaw) {
   // From air at cos = 0.6, sin = 0.8 into n = 1.5: sin = 0.8 / 1.5. Reflectance: 0.04 + 0.96 * 0.4^5 =
   // 0.04983.
@@ -188,6 +222,7 @@ TEST(Bsdf, WeighsItsSamplesByValueOverDensity) {
     p.insideMaterial = !p.thinWalled && i % 4 == 1;
     p.clearcoat = unit(random);
     p.clearcoatRoughness = unit(random);
+    p.clearcoatNormal = directionOf(0.4 + 0.6 * unit(random), 7.0 * unit(random));
     const glm::vec3 wo = directionOf(0.01 + 0.99 * unit(random));
     const BsdfSample s = draw(p, wo, i);
     if (s.pdf <= 0.0f || s.delta) continue;
@@ -218,6 +253,8 @@ std::vector<Named> roughMaterials() {
     p.clearcoat = 1.0f;
     p.clearcoatRoughness = 0.4f;
     all.push_back({"coated metal" + suffix, p});
+    p.clearcoatNormal = directionOf(0.8);
+    all.push_back({"metal under a tilted coat" + suffix, p});
     p = BsdfParameters{};
     p.roughness = roughness;
     p.transmission = 0.7f;
@@ -348,6 +385,7 @@ TEST(Bsdf, GivesFiniteNonNegativeNumbersForAnyMaterialAndDirection) {
     p.insideMaterial = !p.thinWalled && random() % 2 == 0;
     p.clearcoat = any();
     p.clearcoatRoughness = any();
+    p.clearcoatNormal = directionOf(std::max(1e-6f, any()), 7.0 * any());
     const glm::vec3 wo = directionOf(std::max(1e-6f, any()), 7.0 * any());
     const auto fine = [](const Rgb& v) {
       return std::isfinite(v.r + v.g + v.b) && std::min({v.r, v.g, v.b}) >= 0.0f;

@@ -337,6 +337,59 @@ TEST(Passage, LightThroughAWindowPaneIsCountedOnceByBothStrategies) {
   EXPECT_NEAR(through / open, seen, 0.02);
 }
 
+TEST(Passage, ShadowRaysReadTheTexturesOfAPane) {
+  // Without its specular layer a pane reflects nothing; under a coat it loses what the coat reflects, 0.04.
+  const auto through = [](const std::array<std::uint8_t, 4>& specular,
+                          const std::array<std::uint8_t, 4>& coat) {
+    Scene scene = floorScene(0.5f);
+    Material pane;
+    pane.metallic = 0.0f;
+    pane.roughness = 0.0f;
+    pane.transmission = 1.0f;
+    pane.specularTexture = tests::uniformTexture(scene, specular);
+    pane.clearcoat = 1.0f;
+    pane.clearcoatTexture = tests::uniformTexture(scene, coat);
+    scene.materials.push_back(pane);
+    scene.materials.push_back(tests::emitter(Rgb(400.0f)));
+    tests::place(scene, tests::sphere({0.0f, 20.0f, 0.0f}, 1.0f, 64, 32, 2));
+    const double open = meanOf(scene, underThePane(), paths(64, 1));
+    tests::place(scene, tests::quad({-5.0f, 1.0f, 5.0f}, {10.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -10.0f}, 1));
+    return meanOf(scene, underThePane(), paths(64, 1)) / open;
+  };
+  EXPECT_NEAR(through({255, 255, 255, 0}, {0, 0, 0, 255}), 1.0, 2e-3);
+  EXPECT_NEAR(through({255, 255, 255, 0}, {255, 0, 0, 255}), 0.96, 2e-3);
+}
+
+TEST(Clearcoat, IsNotBentByTheNormalMapUnderIt) {
+  // A black wall with a smooth coat, seen at right angles, mirrors what lies behind the camera, whatever the
+  // base's normal map says; the coat's own map turns it away. Sky: white on the camera's side, black behind
+  // the wall and to the sides.
+  Scene scene;
+  Material m = tests::diffuseMaterial(Rgb(0.0f));
+  m.clearcoat = 1.0f;
+  const Texture tilted = tests::uniformTexture(scene, {230, 128, 180, 255});  // about 63 degrees
+  Environment sky;
+  sky.radiance = RadianceMap(Size{64, 32}, Rgb(0.0f));
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double theta = kPi * (y + 0.5) / 32.0;
+      const double phi = 2.0 * kPi * ((x + 0.5) / 64.0 - 0.5);
+      const glm::dvec3 d(std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi));
+      if (d.z > 0.9) sky.radiance(x, y) = Rgb(1.0f);
+    }
+  }
+  scene.environment = std::move(sky);
+  scene.materials.push_back(m);
+  Mesh wall = tests::quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}, 0);
+  wall.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+  tests::place(scene, std::move(wall));
+  const Camera camera = lookingAt({0, 0, 5}, {0, 0, 0}, {4, 4}, 0.01);
+  scene.materials[0].normalTexture = tilted;
+  EXPECT_NEAR(meanOf(scene, camera, paths(16, 2)), 0.04, 1e-3);
+  scene.materials[0].clearcoatNormalTexture = tilted;
+  EXPECT_NEAR(meanOf(scene, camera, paths(16, 2)), 0.0, 1e-3);
+}
+
 TEST(Passage, AWideLightThroughAPaneIsFoundByBothStrategiesWithWeightsThatSumToOne) {
   // A blended pane over the whole floor lets the same part through in every direction: E = (1 - alpha) pi L.
   // Under a uniform sky both strategies find the light equally often.

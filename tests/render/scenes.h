@@ -1,6 +1,7 @@
 #pragma once
 // Small scenes made by hand, whose light is known in closed form.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -71,6 +72,16 @@ inline void place(Scene& scene, Mesh mesh) {
   Instance instance;
   instance.mesh = static_cast<int>(scene.meshes.size()) - 1;
   scene.instances.push_back(instance);
+}
+
+/// A texture of one texel (0 to 255).
+inline Texture uniformTexture(Scene& scene, const std::array<std::uint8_t, 4>& texel) {
+  TextureImage image{"one texel", Image<std::array<std::uint8_t, 4>>(Size{1, 1})};
+  image.texels(0, 0) = texel;
+  scene.images.push_back(std::move(image));
+  Texture texture;
+  texture.image = static_cast<int>(scene.images.size()) - 1;
+  return texture;
 }
 
 inline Environment uniformSky(const Rgb& radiance) {
