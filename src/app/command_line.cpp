@@ -41,13 +41,13 @@ void addRender(CLI::App& verb, RenderOptions& o) {
   verb.add_option("--spacing", o.spacing, "Frames from keyframe to keyframe at first")->capture_default_str();
   verb.add_option("--method", o.method, "ibr, or full: every frame ray traced")->capture_default_str();
   verb.add_option("--integrator", o.integrator,
-                  "Light transport: path (unbiased), or walkthrough (light on matt surfaces solved once for "
-                  "the whole walk)")
+                  "Light transport: walkthrough (light on matt surfaces solved once for the whole walk), or path "
+                  "(unbiased, noisier)")
       ->capture_default_str();
   verb.add_option(
       "--light-solution", o.lightSolution,
-      "File that keeps the light of --integrator walkthrough for later renders of the scene (default: "
-      "DIR/light-solution.bin)");
+      "File that keeps the light of --integrator walkthrough: read if it is there, extended where this walk "
+      "looks anew (default: DIR/light-solution.bin)");
   verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
   verb.add_option("--tone", o.tone, "Tone curve: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops, or 'auto': one value for the walk")

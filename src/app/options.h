@@ -23,7 +23,7 @@ struct RenderOptions {
   std::string tolerance = "3";
   std::string spacing = "16";
   std::string method = "ibr";
-  std::string integrator = "path";
+  std::string integrator = "walkthrough";
   std::string lightSolution;  ///< empty: DIR/light-solution.bin
   std::string display = "fhd-24";
   std::string tone = "neutral";

@@ -48,7 +48,7 @@ RenderValues renderValues(const RenderOptions& options) {
   v.method = choiceFrom(options.method, {"ibr", "full"}, "--method") == "full"
                  ? walkthrough::Method::kFull
                  : walkthrough::Method::kImageBased;
-  (void)choiceFrom(options.integrator, {"path", "walkthrough"}, "--integrator");
+  (void)choiceFrom(options.integrator, {"walkthrough", "path"}, "--integrator");
   v.display = displayNamed(options.display);
   v.tone = toneFrom(options.tone, "--tone");
   v.exposureEv = exposureFrom(options.exposure, "--exposure");

@@ -6,6 +6,7 @@
 #include "src/app/machine.h"
 #include "src/app/output_folder.h"
 #include "src/app/render_job.h"
+#include "src/app/solved_light.h"
 #include "src/app/threads.h"
 #include "src/app/verbs.h"
 #include "src/core/errors.h"
@@ -22,8 +23,6 @@ using walkthrough::Stopwatch;
 
 using Solution = std::shared_ptr<const render::LightSolution>;
 
-constexpr std::size_t kMaximumSolutionBytes = std::size_t{4} << 30;  // 80 million records
-
 std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, std::uint64_t seed, int threads,
                                       const Solution& solution) {
   return render::makePathRenderer(scene, {.pathsPerSample = pathsPerSample,
@@ -31,32 +30,6 @@ std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, st
                                           .threads = threads,
                                           .solution = solution,
                                           .checkpoint = [] { throwIfInterrupted(); }});
-}
-
-// The light of the whole walk, whatever part of it is rendered: so that parts fit together. From the file
-// that holds it, as far as it does.
-Solution solutionFor(const RenderOptions& options, const Scene& scene, const paths::CameraPath& path,
-                     Size size, std::uint64_t seed, int threads, const std::filesystem::path& file,
-                     Console& console) {
-  const std::string hash = lightHash(options, scene);
-  Solution known;
-  if (std::filesystem::exists(file)) {
-    known = render::lightSolutionFrom(io::readTextFile(file, kMaximumSolutionBytes), hash);
-    if (!known) console.info(file.string() + ": not the light of this scene; it is computed anew");
-  }
-  std::vector<Camera> cameras;
-  for (int frame = 0; frame < path.frameCount(); ++frame) cameras.push_back(path.camera(frame, size));
-  Solution solution = render::solveLight(
-      scene, {.seed = seed, .threads = threads, .checkpoint = [] { throwIfInterrupted(); }}, cameras, known,
-      console.progress());
-  console.endProgress();
-  const std::size_t records = render::sizeOf(*solution).records;
-  if (solution == known) {
-    console.info(file.string() + ": " + std::to_string(records) + " light records used again");
-  } else {
-    io::writeTextFile(file, render::toBytes(*solution, hash));
-  }
-  return solution;
 }
 
 // Exposure and paths a sample where they were left to the program.
@@ -152,8 +125,11 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     const std::filesystem::path file = options.lightSolution.empty()
                                            ? folder.file("light-solution.bin")
                                            : std::filesystem::path(options.lightSolution);
-    solution =
-        solutionFor(options, scene, path, settings.size, values.seed, report.job.threads, file, console);
+    SolvedLight light =
+        solveLightOf(path, settings.size, scene,
+                     {file, lightHash(options, scene), values.seed, report.job.threads}, console);
+    solution = std::move(light.solution);
+    report.light = std::move(light.report);
   }
   {
     const Stopwatch watch(report.seconds.prepare);

@@ -74,6 +74,8 @@ struct PathSettings {
 struct LightSolutionSize {
   std::size_t records = 0;
   std::size_t cameras = 0;
+  /// Traced to gather light by the call that made or extended it; 0 if it was read from a file.
+  std::uint64_t rays = 0;
 };
 [[nodiscard]] LightSolutionSize sizeOf(const LightSolution& solution);
 

@@ -132,7 +132,8 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
 }  // namespace
 
 LightSolutionSize sizeOf(const LightSolution& solution) {
-  return {solution.coarse.places().size() + solution.fine.places().size(), solution.cameras.size()};
+  return {solution.coarse.places().size() + solution.fine.places().size(), solution.cameras.size(),
+          solution.rays.scattered + solution.rays.shadow};
 }
 
 std::string toBytes(const LightSolution& solution, std::string_view key) {

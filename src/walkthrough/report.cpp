@@ -85,6 +85,12 @@ std::string reportJson(const Report& report) {
                       {"seconds", f.seconds}});
   }
   Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
+  if (report.light) {
+    const LightReport& light = *report.light;
+    root["light_solution"] = {
+        {"file", light.file},       {"records", light.records}, {"records_added", light.recordsAdded},
+        {"cameras", light.cameras}, {"rays", light.rays},       {"seconds", report.seconds.indirect}};
+  }
   if (report.resumedFrom > report.settings.frames.first) root["resumed_from"] = report.resumedFrom;
   root["segments"] = std::move(segments);
   root["frames"] = std::move(frames);

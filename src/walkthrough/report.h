@@ -2,6 +2,7 @@
 // The report of a run as text: report.json (docs/formats.md lists its keys). Pure.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "src/core/display.h"
@@ -22,6 +23,15 @@ struct JobDescription {
   int threads = 0;
 };
 
+/// The view-independent solution of the light on matt surfaces that a run used.
+struct LightReport {
+  std::string file;
+  std::uint64_t records = 0;
+  std::uint64_t recordsAdded = 0;  ///< by this run; the others were in the file
+  std::uint64_t cameras = 0;       ///< that it was made for, of this walk and of others
+  std::uint64_t rays = 0;          ///< that this run traced for it
+};
+
 /// Wall seconds of the parts that renderWalkthrough() does not know of.
 struct OutsideSeconds {
   double load = 0.0;      ///< scene, path, acceleration structures
@@ -37,6 +47,7 @@ struct Report {
   Settings settings;
   Statistics statistics;
   OutsideSeconds seconds;
+  std::optional<LightReport> light;  ///< nothing: paths alone
   double wallSeconds = 0.0;
   double peakResidentBytes = 0.0;
   /// Frames before this one were there from an earlier run of the job and are not in the statistics.

@@ -57,7 +57,7 @@ TEST_F(Render, WritesFramesVideoAndReport) {
 TEST_F(Render, KeepsTheLightSolutionForLaterRendersOfTheScene) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const auto solved = [&](const std::string& out, const Arguments& more) {
-    Arguments all = render(scene, at(out), {"--integrator", "walkthrough", "--frames", "0-2"});
+    Arguments all = render(scene, at(out), {"--frames", "0-2"});
     all.insert(all.end(), more.begin(), more.end());
     const Outcome outcome = run(all);
     expectDone(outcome);
@@ -67,7 +67,16 @@ TEST_F(Render, KeepsTheLightSolutionForLaterRendersOfTheScene) {
   const std::string light = contents(at("light.bin"));
   EXPECT_THAT(solved("second", {"--light-solution", at("light.bin")}), HasSubstr("used again"));
   EXPECT_EQ(contents(at("light.bin")), light);
-  solved("third", {});  // in its own folder, made anew
+  const auto lightReport = [&](const std::string& out) {
+    return nlohmann::json::parse(contents(at(out + "/report.json")))["light_solution"];
+  };
+  EXPECT_GT(lightReport("first")["rays"].get<std::int64_t>(), 0);
+  EXPECT_EQ(lightReport("first")["records_added"], lightReport("first")["records"]);
+  EXPECT_EQ(lightReport("second")["rays"], 0);
+  EXPECT_EQ(lightReport("second")["records_added"], 0);
+  EXPECT_EQ(lightReport("second")["records"], lightReport("first")["records"]);
+  EXPECT_EQ(lightReport("second")["cameras"], 25);  // the whole walk's, whatever part of it is rendered
+  solved("third", {});                              // in its own folder, made anew
   EXPECT_EQ(contents(at("third/light-solution.bin")), light);
   for (const char* frame : {"frames/000000.exr", "frames/000001.exr", "frames/000002.exr"}) {
     EXPECT_EQ(contents(at("second") + "/" + frame), contents(at("first") + "/" + frame)) << frame;
@@ -200,7 +209,7 @@ TEST_F(Render, CtrlCLeavesOnlyWholeFilesAndStatus130) {
   const auto scene = writeScene(folder_, "scene", With::kAll, 400.0f);
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = at("out" + std::to_string(signal));
-    Process process(render(scene, out));
+    Process process(render(scene, out, {"--integrator", "path"}));  // no solution for 10,000 frames first
     waitForFrames(out);
     process.send(signal);
     const Outcome outcome = process.wait(std::chrono::seconds(20));

@@ -101,6 +101,15 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_FALSE(root.contains("resumed_from"));
 }
 
+TEST(ReportJson, TellsWhatTheLightSolutionCost) {
+  Report r = threeFrames();
+  EXPECT_FALSE(json::parse(reportJson(r)).contains("light_solution"));
+  r.light = LightReport{.file = "out/l.bin", .records = 90, .recordsAdded = 40, .cameras = 6, .rays = 5000};
+  r.seconds.indirect = 2.5;
+  EXPECT_EQ(json::parse(reportJson(r))["light_solution"], json::parse(R"({"file": "out/l.bin", "records": 90,
+      "records_added": 40, "cameras": 6, "rays": 5000, "seconds": 2.5})"));
+}
+
 TEST(ReportJson, SaysWhereAResumedRunBegan) {
   Report r = threeFrames();
   r.resumedFrom = 6;
