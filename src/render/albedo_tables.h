@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -41,6 +42,10 @@ class SpecularAlbedoTable {
  public:
   SpecularAlbedoTable();
 
+  static constexpr std::size_t kCosines = 48;
+  /// whole() of one roughness, over maskingCoordinate().
+  using Masking = std::array<float, kCosines>;
+
   /// The table at one roughness; the table must outlive it.
   class Row {
    public:
@@ -50,6 +55,15 @@ class SpecularAlbedoTable {
       const float whole = read(whole_, maskingCoordinate(cosine, alpha_));
       const float bias = whole * (schlickWeight(cosine) + read(biasShare_, fresnelCoordinate(cosine)));
       return {whole - bias, bias};
+    }
+    /// For look-ups of many cosines. Not of a smooth surface.
+    [[nodiscard]] Masking masking() const {
+      assert(whole_ != nullptr);
+      Masking entries;
+      for (std::size_t i = 0; i < kCosines; ++i) {
+        entries[i] = whole_[i] + (whole_[kCosines + i] - whole_[i]) * fraction_;
+      }
+      return entries;
     }
     /// Cosine-weighted mean of directional() over the hemisphere.
     [[nodiscard]] const SpecularAlbedo& average() const { return average_; }
@@ -80,7 +94,6 @@ class SpecularAlbedoTable {
   static float fresnelCoordinate(float cosine) { return std::sqrt(cosine); }
 
  private:
-  static constexpr std::size_t kCosines = 48;
   static constexpr std::size_t kRoughnesses = 48;
   static constexpr std::size_t kAverages = 128;
   using Table = std::array<float, kCosines * kRoughnesses>;

@@ -35,9 +35,6 @@ constexpr int kSmoothings = 2;
 /// many, and they are not believed at all.
 constexpr float kNoise = 1.5f;
 
-/// Cells of a light field whose weight is below this share of the largest are left out.
-constexpr float kLeastOfLobe = 1e-3f;
-
 /// 1 at the record, 0 where it ends.
 float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::vec3& normal) {
   const glm::vec3 offset = position - record.position;
@@ -304,45 +301,26 @@ std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& positi
   return SurfaceLight{radianceFrom(record, position, normal), light_[record].meanDirection};
 }
 
-std::optional<Rgb> IrradianceRecords::meanArriving(
-    const glm::vec3& position, const glm::vec3& normal,
-    const std::function<float(const glm::vec3&)>& weight) const {
+std::optional<Rgb> IrradianceRecords::meanArriving(const glm::vec3& position, const glm::vec3& normal,
+                                                   const DirectionWeights& weightsAbout) const {
   if (fields_.empty()) return std::nullopt;
   // Neighbouring records often lie in one plane, and their cells point the same way.
   glm::vec3 facing(0.0f);
-  std::array<float, LightField::kCells> lobe;
-  std::array<std::uint8_t, LightField::kCells> cells;  // those that matter
-  static_assert(LightField::kCells <= 256);
-  std::size_t count = 0;
+  LightField::Weights lobe;
   float wholeLobe = 0.0f;
   Rgb sum(0.0f);
   float weights = 0.0f;
-  const auto turnTo = [&](const glm::vec3& towards) {
-    facing = towards;
-    const Basis basis(facing);
-    float most = 0.0f;
-    for (std::size_t i = 0; i < LightField::kCells; ++i) {
-      lobe[i] = weight(basis.toWorld(LightField::directions()[i])) * LightField::solidAngles()[i];
-      most = std::max(most, lobe[i]);
-    }
-    count = 0;
-    wholeLobe = 0.0f;
-    for (std::size_t i = 0; i < LightField::kCells; ++i) {
-      if (!(lobe[i] > kLeastOfLobe * most)) continue;
-      cells[count++] = static_cast<std::uint8_t>(i);
-      wholeLobe += lobe[i];
-    }
-  };
   forEachLitNear(position, [&](const Entry& entry) {
     const float share = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
     if (!(share > 0.0f)) return true;
-    if (entry.place.normal != facing) turnTo(entry.place.normal);
-    const LightField& field = fields_[entry.record];
-    Rgb arriving(0.0f);
-    for (std::size_t k = 0; k < count; ++k) arriving += lobe[cells[k]] * field.at(cells[k]);
+    if (entry.place.normal != facing) {
+      facing = entry.place.normal;
+      lobe = weightsAbout(Basis(facing));
+      wholeLobe = lobe.sum();
+    }
     // Noise and change of the light as a whole are known better than those of its parts.
     const float known = luminance(radianceBeside(entry.record, position));
-    sum += share * known * arriving;
+    sum += share * known * fields_[entry.record].weighted(lobe);
     weights += share * wholeLobe;
     return true;
   });

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "src/core/image.h"
+#include "src/render/basis.h"
 #include "src/render/light_field.h"
 
 namespace promenade::render {
@@ -83,10 +84,12 @@ class IrradianceRecords {
   /// as neighbouring records agree. Good enough for light that bounces on.
   [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
                                                       const glm::vec3& normal) const;
-  /// Mean radiance that arrives at a place, weighted by `weight` >= 0 of its direction (unit, world space).
-  /// Nothing where no lit record with a field reaches, or where no weight is left.
+  /// Weights >= 0 for the cells of a light field in a frame (world space), solid angle included.
+  using DirectionWeights = std::function<LightField::Weights(const Basis&)>;
+  /// Mean radiance that arrives at a place, weighted by its direction. Nothing where no lit record with a
+  /// field reaches, or where no weight is left.
   [[nodiscard]] std::optional<Rgb> meanArriving(const glm::vec3& position, const glm::vec3& normal,
-                                                const std::function<float(const glm::vec3&)>& weight) const;
+                                                const DirectionWeights& weightsAbout) const;
 
  private:
   /// Records are filed by the power of two above their reach, in every cell of that size that they may

@@ -1,5 +1,6 @@
 #include "src/render/light_field.h"
 
+#include <hwy/highway.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,6 +14,10 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 /// A light on the horizon gives a surface nothing, and says nothing of its radiance.
 constexpr float kLeastCosine = 0.02f;
+
+/// Of RGB9E5, and of float.
+constexpr std::uint32_t kMantissa = 0x1ffu, kBias = 15 + 9, kFloatBias = 127;
+constexpr int kFloatMantissa = 23;
 
 /// Shirley, Chiu, A Low Distortion Map Between Disk and Square (JGT 2(3), 1997), both ways.
 glm::vec3 directionAt(glm::vec2 square) {
@@ -110,13 +115,45 @@ float LightField::pdf(const glm::vec3& direction) {
 Rgb LightField::at(std::size_t cell) const {
   // As glm::unpackF3x9_E1x5() does, without its call of pow().
   const std::uint32_t bits = packed_[cell];
-  constexpr std::uint32_t kBias = 15 + 9, kFloatBias = 127, kFloatMantissa = 23;
   const auto scale = std::bit_cast<float>(((bits >> 27) + kFloatBias - kBias) << kFloatMantissa);
-  return scale * Rgb(bits & 0x1ffu, (bits >> 9) & 0x1ffu, (bits >> 18) & 0x1ffu);
+  return scale * Rgb(bits & kMantissa, (bits >> 9) & kMantissa, (bits >> 18) & kMantissa);
 }
 
 void LightField::set(std::size_t cell, const Rgb& radiance) {
   packed_[cell] = glm::packF3x9_E1x5(radiance);
+}
+
+float LightField::Weights::sum() const {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::CappedTag<float, kLanes> tag;
+  auto sums = hn::Zero(tag);
+  for (std::size_t i = 0; i < kCells; i += hn::Lanes(tag)) sums = hn::Add(sums, hn::Load(tag, at(i)));
+  return hn::GetLane(hn::SumOfLanes(tag, sums));
+}
+
+Rgb LightField::weighted(const Weights& weights) const {
+  // at() of all lanes.
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::CappedTag<float, kLanes> tag;
+  const hn::RebindToUnsigned<decltype(tag)> bitsTag;
+  const hn::RebindToSigned<decltype(tag)> signedTag;
+  const auto bias = hn::Set(bitsTag, kFloatBias - kBias);
+  const auto mantissa = hn::Set(bitsTag, kMantissa);
+  auto r = hn::Zero(tag), g = r, b = r;
+  for (std::size_t i = 0; i < kCells; i += hn::Lanes(tag)) {
+    const auto bits = hn::Load(bitsTag, packed_.data() + i);
+    const auto scale =
+        hn::BitCast(tag, hn::ShiftLeft<kFloatMantissa>(hn::Add(hn::ShiftRight<27>(bits), bias)));
+    const auto weight = hn::Mul(scale, hn::Load(tag, weights.at(i)));
+    const auto channel = [&](auto shifted) {
+      return hn::ConvertTo(tag, hn::BitCast(signedTag, hn::And(shifted, mantissa)));
+    };
+    r = hn::MulAdd(weight, channel(bits), r);
+    g = hn::MulAdd(weight, channel(hn::ShiftRight<9>(bits)), g);
+    b = hn::MulAdd(weight, channel(hn::ShiftRight<18>(bits)), b);
+  }
+  const auto total = [&](auto lanes) { return hn::GetLane(hn::SumOfLanes(tag, lanes)); };
+  return {total(r), total(g), total(b)};
 }
 
 void FieldSums::addPath(const glm::vec3& direction, const Rgb& radiance) {

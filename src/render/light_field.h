@@ -22,6 +22,16 @@ class LightField {
   static constexpr int kSide = 12;
   static constexpr std::size_t kCells = std::size_t{kSide} * kSide;
 
+  /// A number for each cell, aligned for kLanes at a time.
+  static constexpr std::size_t kLanes = 8;
+  static_assert(kCells % kLanes == 0);
+  struct Weights {
+    alignas(kLanes * sizeof(float)) std::array<float, kCells> cell;
+    [[nodiscard]] float* at(std::size_t i) { return cell.data() + i; }
+    [[nodiscard]] const float* at(std::size_t i) const { return cell.data() + i; }
+    [[nodiscard]] float sum() const;
+  };
+
   /// Unit vectors of the middles of the cells; z along the surface's normal.
   [[nodiscard]] static const std::array<glm::vec3, kCells>& directions();
   /// Their solid angles; the sum is 2 pi.
@@ -32,13 +42,15 @@ class LightField {
 
   [[nodiscard]] Rgb at(std::size_t cell) const;
   void set(std::size_t cell, const Rgb& radiance);
+  /// Sum of the cells, each times its weight.
+  [[nodiscard]] Rgb weighted(const Weights& weights) const;
 
   /// For files: nine bits a channel and a shared exponent.
   [[nodiscard]] std::array<std::uint32_t, kCells>& packed() { return packed_; }
   [[nodiscard]] const std::array<std::uint32_t, kCells>& packed() const { return packed_; }
 
  private:
-  std::array<std::uint32_t, kCells> packed_{};
+  alignas(kLanes * sizeof(std::uint32_t)) std::array<std::uint32_t, kCells> packed_{};
 };
 
 /// Collects what paths and light samples bring to a surface element. Directions are local, z > 0.

@@ -38,6 +38,8 @@ class Ggx {
  public:
   explicit Ggx(float alpha) : alpha2_(alpha * alpha), alpha_(alpha) {}
 
+  [[nodiscard]] float alpha() const { return alpha_; }
+
   /// D(h), per steradian. Written with x^2 + y^2 instead of 1 - z^2, which has no digits left at small alpha.
   [[nodiscard]] float distribution(const glm::vec3& h) const {
     const float t = h.x * h.x + h.y * h.y + alpha2_ * h.z * h.z;

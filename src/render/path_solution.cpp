@@ -12,9 +12,8 @@ namespace {
 
 /// Less than this of white light is not worth a ray.
 constexpr float kLeastTraced = 0.002f;
-/// Up to this share of what a surface sends back every sample uses the same random numbers: the error of a
-/// faint reflection is then a smooth function of place and direction, the same in every frame, instead of
-/// grain that differs between keyframes. (A stronger reflection would show the few directions as ghosts.)
+/// Up to this share of what a surface sends back all samples share their random numbers. (A stronger
+/// reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
 /// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
 /// bright one), and up to so many until the standard error of a sample, without what stratification saves, is
@@ -27,6 +26,8 @@ constexpr float kFaintNoise = 0.015f;
 /// polished floor may be clean after these.
 constexpr float kNarrow = 0.1f;
 constexpr int kLeastNarrowPaths = 4;
+/// From one path alone nothing can be told of the noise.
+constexpr int kLeastOfAll = 2;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
@@ -152,46 +153,40 @@ SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const Scatterin
   return sum;
 }
 
-SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& direction, Cone cone,
+SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, ScatteringSurface scattering,
                                              const Sampler::Stream& stream, PathRays& rays) const {
   SurfaceLook& look = vertex.look;
-  ScatteringSurface scattering(look.bsdf, vertex.wo);
   const BsdfAlbedo albedo = scattering.albedo();
   const std::optional<SurfaceLight> known =
       largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf) ? lightFromSolution(vertex)
                                                                             : SurfaceLight{};
   SampleRadiance result = fromDeltaLights(vertex, scattering, rays);
-  result.diffuse += look.emission;
   Rgb traced = albedo.viewDependent;
   if (known) {
     const Rgb under = radianceOnTurned(*known, vertex.facing, look.normal);
     result.diffuse += albedo.diffuse * under;
     if (isBroadToTheEye(look.bsdf)) {
-      const std::optional<Rgb> arriving =
-          settings_.solution->fine.meanArriving(vertex.position, vertex.facing, [&](const glm::vec3& world) {
-            const glm::vec3 wi = vertex.basis.toLocal(world);
-            return wi.z > 0.0f ? luminance(scattering.evaluate(wi).viewDependent) : 0.0f;
-          });
+      const ReflectionLobe lobe = scattering.reflectionLobe();
+      const std::optional<Rgb> arriving = settings_.solution->fine.meanArriving(
+          vertex.position, vertex.facing,
+          [&](const Basis& field) { return weigh(lobe, vertex.basis, field); });
       if (arriving) {
         result.viewDependent += albedo.viewDependent * *arriving;
         return result;
       }
     }
     dropDiffuse(look.bsdf);
-    scattering = ScatteringSurface(look.bsdf, vertex.wo);
+    scattering = ScatteringSurface(look.bsdf, vertex.wo).withoutDeltaLobes();
   } else {
     traced += albedo.diffuse;
   }
-  const float share = largest(traced);
+  const float weight = sight.weight();
+  const float share = weight * largest(traced);
   if (share < kLeastTraced) return result;
 
   const bool isFaint = known && share <= kFaint * largest(albedo.diffuse + albedo.viewDependent);
-  Sampler::Stream numbers = stream;
-  if (isFaint) {
-    // Neighbours take turns with four sets of numbers, whose errors average out in a pixel.
-    numbers.pixel = stream.pixel & 1u;
-    numbers.frame = 0;
-  }
+  Sampler::Stream numbers = sight.numbersOf(stream);
+  if (isFaint) numbers = sharedNumbers(numbers);
   numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
   const Shares shares = firstShares(vertex);
   SampleRadiance sum;
@@ -219,9 +214,8 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
       const BsdfSample s = scattering.sample(choose, sampler.next2D());
       const Rgb scattered = known ? s.viewDependent : s.diffuse + s.viewDependent;
       if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
-      std::optional<Carried> next = leave(vertex, s, direction, cone, shares);
+      const std::optional<Carried> next = leave(sight, vertex, s, shares);
       if (!next) continue;
-      next->importance = largest(scattered);
       const Rgb arriving = follow(*next, sampler, rays);
       add({s.diffuse * arriving, s.viewDependent * arriving});
     }
@@ -231,13 +225,17 @@ SampleRadiance PathTracer::shadeFromSolution(Vertex vertex, const glm::vec3& dir
     const auto n = static_cast<float>(count);
     const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
     const float variance = std::max(0.0f, squares / n - mean * mean) / n;
-    const float whole = luminance(result.diffuse + result.viewDependent) + mean;
-    return std::sqrt(variance) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
+    const float whole = sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean);
+    return weight * std::sqrt(variance) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
   };
   const bool isNarrow = look.bsdf.roughness < kNarrow &&
                         !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
-  trace(isNarrow ? kLeastNarrowPaths : kLeastPaths);
-  const int most = std::max(kMostPaths, settings_.pathsPerSample);
+  // Effort in proportion to what the eye gets of it.
+  const auto ofWeight = [weight](int paths) {
+    return static_cast<int>(std::ceil(static_cast<float>(paths) * std::min(weight, 1.0f)));
+  };
+  trace(std::max(kLeastOfAll, ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths)));
+  const int most = ofWeight(std::max(kMostPaths, settings_.pathsPerSample));
   while (count < most && !isClean()) trace(std::min(count, most - count));
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;

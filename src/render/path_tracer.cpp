@@ -14,7 +14,6 @@ namespace {
 constexpr int kFirstRoulette = 3;  ///< scatterings before Russian roulette may end a path
 constexpr float kLeastSurvival = 0.05f;
 constexpr float kHiddenSkyShare = 0.25f;  ///< samples of the sky where the guide has seen none of it
-constexpr int kMostPassages = 64;         ///< straight through panes and blended surfaces, along one path
 /// Width of the pencil of rays after scattering with density pdf, per unit distance: a fraction of the solid
 /// angle 1/pdf that one sample stands for. Only texture filtering depends on it.
 constexpr float kSpreadOfScattering = 0.15f;
@@ -237,61 +236,32 @@ void PathTracer::scatter(const Vertex& vertex, const BsdfSample& sample, const g
   if (!sample.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(sample.pdf));
 }
 
-std::optional<PathTracer::Carried> PathTracer::leave(const Vertex& vertex, const BsdfSample& sample,
-                                                     const glm::vec3& direction, Cone cone,
-                                                     const Shares& shares) const {
-  Carried path;
-  path.width = cone.width;
-  path.spread = cone.spread;
-  if (vertex.isStraightThrough(sample)) {
-    path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-    path.direction = direction;
-    return path;
-  }
+std::optional<PathTracer::Carried> PathTracer::leave(const Sight& sight, const Vertex& vertex,
+                                                     const BsdfSample& sample, const Shares& shares) const {
   const glm::vec3 world = glm::normalize(vertex.basis.toWorld(sample.wi));
   if (!vertex.agree(sample.wi, world)) return std::nullopt;
+  Carried path = sight.path;
+  path.throughput = Rgb(1.0f);
+  path.importance = sight.weight() * largest(sample.diffuse + sample.viewDependent);
   scatter(vertex, sample, world, shares, path);
   return path;
 }
 
-SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixelWidth,
-                                 const Sampler::Stream& stream, PathRays& rays) const {
-  const float length = glm::length(primary.direction);
-  const glm::vec3 direction = primary.direction / length;
-  const Cone cone{pixelWidth * hit.distance, pixelWidth / length};
-  const Vertex vertex = vertexAt(hit, direction, {cone.width, false});
-  const SurfaceLook& look = vertex.look;
-
-  SampleRadiance sum;
-  if (look.unlit && look.alpha >= 1.0f) return {look.emission, Rgb(0.0f)};
-
-  if (settings_.solution && look.alpha >= 1.0f && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f) {
-    return shadeFromSolution(vertex, direction, cone, stream, rays);
-  }
-
-  const int count = settings_.pathsPerSample;
-  const bool scatters = !look.unlit && settings_.maxBounces >= 1 && vertex.wo.z > 0.0f;
-  const ScatteringSurface scattering(look.bsdf, scatters ? vertex.wo : glm::vec3(0.0f, 0.0f, 1.0f));
+SampleRadiance PathTracer::shadeByPaths(const Sight& sight, const Vertex& vertex,
+                                        const ScatteringSurface& scattering, const Sampler::Stream& stream,
+                                        PathRays& rays) const {
+  const int count =
+      std::max(1, static_cast<int>(std::ceil(static_cast<float>(settings_.pathsPerSample) * sight.weight())));
+  const Sampler::Stream numbers = sight.numbersOf(stream);
   const Shares shares = firstShares(vertex);
+  SampleRadiance sum;
   auto shadows =
       shadowBatch<SampleRadiance>(embree_, [&sum](const SampleRadiance& light, const Rgb& transmittance) {
         sum.diffuse += light.diffuse * transmittance;
         sum.viewDependent += light.viewDependent * transmittance;
       });
   for (int i = 0; i < count; ++i) {
-    Sampler sampler(stream, static_cast<std::uint32_t>(i));
-    if (look.alpha < 1.0f && sampler.next1D() >= look.alpha) {
-      Carried next;
-      next.width = cone.width;
-      next.spread = cone.spread;
-      next.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-      next.direction = direction;
-      sum.viewDependent += follow(next, sampler, rays);
-      continue;
-    }
-    sum.diffuse += look.emission;
-    if (!scatters) continue;
-
+    Sampler sampler(numbers, static_cast<std::uint32_t>(i));
     sampleLights(vertex, scattering, shares, 1.0f, sampler, DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
@@ -300,11 +270,9 @@ SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixel
 
     const float choose = sampler.next1D();
     const BsdfSample s = scattering.sample(choose, sampler.next2D());
-    const Rgb scattered = s.diffuse + s.viewDependent;
-    if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
-    std::optional<Carried> next = leave(vertex, s, direction, cone, shares);
+    if (!(s.pdf > 0.0f) || isBlack(s.diffuse + s.viewDependent)) continue;
+    const std::optional<Carried> next = leave(sight, vertex, s, shares);
     if (!next) continue;
-    next->importance = largest(scattered);
     const Rgb arriving = follow(*next, sampler, rays);
     sum.diffuse += s.diffuse * arriving;
     sum.viewDependent += s.viewDependent * arriving;

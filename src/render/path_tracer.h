@@ -60,11 +60,8 @@ class PathTracer {
   };
   struct Carried;
   struct Shares;
+  struct Sight;
   enum class DeltaLights { kIncluded, kExcluded };
-  struct Cone {
-    float width = 0.0f;   ///< of the pencil of rays where it meets the surface
-    float spread = 0.0f;  ///< its growth per unit distance
-  };
 
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
   [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
@@ -76,13 +73,27 @@ class PathTracer {
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
   [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex) const;
-  [[nodiscard]] SampleRadiance shadeFromSolution(Vertex vertex, const glm::vec3& direction, Cone cone,
-                                                 const Sampler::Stream& stream, PathRays& rays) const;
-  /// The path that leaves a primary vertex, reached along `direction`; nothing if it would leak through the
+  // What arrives along a line of sight that ends at `hit`; what its end sends there; and by way of it, of
+  // which it gets `share`.
+  [[nodiscard]] SampleRadiance see(Sight sight, const Hit& hit, const Sampler::Stream& stream,
+                                   PathRays& rays) const;
+  [[nodiscard]] SampleRadiance seeSurface(const Sight& sight, const Vertex& vertex,
+                                          const Sampler::Stream& stream, PathRays& rays) const;
+  [[nodiscard]] Rgb seeBeyond(Sight sight, Rgb share, const Sampler::Stream& stream, PathRays& rays) const;
+  [[nodiscard]] static Sight straightOn(Sight sight, const Vertex& vertex);
+  [[nodiscard]] std::optional<Sight> turned(Sight sight, const Vertex& vertex,
+                                            const glm::vec3& localDirection) const;
+  // What `scattering` at the end of a line of sight sends along it.
+  [[nodiscard]] SampleRadiance shadeByPaths(const Sight& sight, const Vertex& vertex,
+                                            const ScatteringSurface& scattering,
+                                            const Sampler::Stream& stream, PathRays& rays) const;
+  [[nodiscard]] SampleRadiance shadeFromSolution(const Sight& sight, Vertex vertex,
+                                                 ScatteringSurface scattering, const Sampler::Stream& stream,
+                                                 PathRays& rays) const;
+  /// The path that leaves a vertex at the end of a line of sight; nothing if it would leak through the
   /// surface.
-  [[nodiscard]] std::optional<Carried> leave(const Vertex& vertex, const BsdfSample& sample,
-                                             const glm::vec3& direction, Cone cone,
-                                             const Shares& shares) const;
+  [[nodiscard]] std::optional<Carried> leave(const Sight& sight, const Vertex& vertex,
+                                             const BsdfSample& sample, const Shares& shares) const;
   void scatter(const Vertex& vertex, const BsdfSample& sample, const glm::vec3& direction,
                const Shares& shares, Carried& path) const;
   [[nodiscard]] Rgb follow(Carried carried, Sampler& sampler, PathRays& rays) const;

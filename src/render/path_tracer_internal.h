@@ -115,6 +115,35 @@ struct PathTracer::Carried {
   bool blurred = false;  ///< some scattering was not a mirror's
 };
 
+/// A line of sight: from the eye straight on, through panes and blended surfaces, by way of mirrors and
+/// smooth boundaries.
+struct PathTracer::Sight {
+  Carried path;  ///< throughput: what the eye gets of the light that arrives along it
+  /// Which way it took at each surface: a number for each line of a sample.
+  std::uint32_t turns = 0;
+  int passages = 0;      ///< straight through surfaces
+  float besides = 0.0f;  ///< luminance that the eye is known to get otherwise
+
+  [[nodiscard]] float weight() const { return largest(path.throughput); }
+  /// Random numbers of its own, from those of the sample.
+  [[nodiscard]] Sampler::Stream numbersOf(Sampler::Stream stream) const {
+    stream.seed ^= turns * 0x9e3779b9u;
+    return stream;
+  }
+};
+
+/// The same four sets of random numbers for all samples of all frames; neighbours take turns with them, so
+/// that their errors average out in a pixel. An error of a faint part is then a smooth function of place and
+/// direction, the same in every frame, instead of grain that differs between keyframes.
+inline Sampler::Stream sharedNumbers(Sampler::Stream stream) {
+  stream.pixel = stream.pixel & 1u;
+  stream.frame = 0;
+  return stream;
+}
+
+/// Straight through panes and blended surfaces, along one path.
+constexpr int kMostPassages = 64;
+
 /// Shadow rays that travel in packets, because they share their origin or nearly so. Calls
 /// arrive(payload, transmittance) for each.
 template <class Payload, class Arrive>

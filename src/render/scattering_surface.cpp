@@ -11,8 +11,11 @@
 //   Fresnel term there: like the extension's, not reciprocal.
 #include "src/render/scattering_surface.h"
 
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
+
+#include "src/core/display.h"
 
 namespace promenade::render {
 namespace {
@@ -120,6 +123,10 @@ ScatteringSurface::ScatteringSurface(const BsdfParameters& p, const glm::vec3& w
   chooseUp_ = underCoat_ * (meanOf(base_) * diffuse * (1.0f - layerOut) + meanOf(againColor_) * missing);
   if (coatAgain_ > 0.0f) chooseUp_ += std::max(0.0f, 1.0f - underCoat_ - coatAlbedo);
   chooseDown_ = underCoat_ * meanOf(thinAgainColor_) * missing;
+  normaliseChances();
+}
+
+void ScatteringSurface::normaliseChances() {
   const float sum = chooseCoat_ + chooseFacet_ + chooseUp_ + chooseDown_;
   const float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
   chooseCoat_ *= scale;
@@ -153,21 +160,59 @@ ScatteringSurface::FacetColors ScatteringSurface::facetColors(const glm::vec3& h
 
 BsdfAlbedo ScatteringSurface::albedo() const {
   BsdfAlbedo result;
-  const float missing = smooth_ ? 0.0f : 1.0f - out_.whole();
   const float rest = 1.0f - layerAlbedo(facets_.average());
   result.diffuse = diffuseColor_ * (underCoat_ * kPi * rest);
-  result.viewDependent = f0_ * out_.scale + Rgb(f90_ * out_.bias) + againColor_ * missing +
-                         base_ * (thin_ * (1.0f - layerAlbedo(out_)));
-  if (refracting_ > 0.0f) {
-    const Refraction refraction = refractThrough(wo_, kNormal, relativeIor_);
-    const Rgb fresnel = refraction.cosine > 0.0f
-                            ? schlick(dielectricF0_, dielectricF90_,
-                                      boundarySchlickWeight(wo_.z, refraction.cosine, relativeIor_))
-                            : Rgb(1.0f);
-    result.viewDependent += refracting_ * (fresnel + base_ * std::max(0.0f, 1.0f - maxOf(fresnel)));
+  if (hasDeltaLobes_ || !smooth_) {
+    const float missing = smooth_ ? 0.0f : 1.0f - out_.whole();
+    Rgb base = f0_ * out_.scale + Rgb(f90_ * out_.bias) + againColor_ * missing +
+               base_ * (thin_ * (1.0f - layerAlbedo(out_)));
+    if (refracting_ > 0.0f) {
+      const Refraction refraction = refractThrough(wo_, kNormal, relativeIor_);
+      const Rgb fresnel = refraction.cosine > 0.0f
+                              ? schlick(dielectricF0_, dielectricF90_,
+                                        boundarySchlickWeight(wo_.z, refraction.cosine, relativeIor_))
+                              : Rgb(1.0f);
+      base += refracting_ * (fresnel + base_ * std::max(0.0f, 1.0f - maxOf(fresnel)));
+    }
+    result.viewDependent = base * underCoat_;
   }
-  result.viewDependent = result.viewDependent * underCoat_ + Rgb(1.0f - underCoat_);
+  if (hasDeltaLobes_ || !coatSmooth_) result.viewDependent += Rgb(1.0f - underCoat_);
   return result;
+}
+
+ReflectionLobe ScatteringSurface::reflectionLobe() const {
+  assert(!smooth_ && !(coat_ > 0.0f) && !(thin_ + refracting_ > 0.0f));
+  ReflectionLobe lobe;
+  lobe.wo = wo_;
+  lobe.alpha = ggx_.alpha();
+  lobe.f0 = luminance(f0_);
+  lobe.f90 = f90_;
+  lobe.again = luminance(againColor_) * againScale_;
+  lobe.masking = facets_.masking();
+  return lobe;
+}
+
+DeltaLobes ScatteringSurface::deltaLobes() const {
+  DeltaLobes lobes;
+  if (!hasDeltaLobes_) return lobes;
+  lobes.mirrored = {-wo_.x, -wo_.y, wo_.z};
+  if (coat_ > 0.0f && coatSmooth_) lobes.reflected = Rgb(coat_ * coatOut_.of(kCoatF0, 1.0f));
+  if (smooth_) {
+    const FacetColors colors = facetColors(kNormal);
+    lobes.reflected += underCoat_ * colors.reflected;
+    lobes.transmitted = underCoat_ * colors.transmitted;
+    lobes.through = thin_ > 0.0f ? -wo_ : refractThrough(wo_, kNormal, relativeIor_).direction;
+  }
+  return lobes;
+}
+
+ScatteringSurface ScatteringSurface::withoutDeltaLobes() const {
+  ScatteringSurface rest = *this;
+  rest.hasDeltaLobes_ = false;
+  if (coatSmooth_) rest.chooseCoat_ = 0.0f;
+  if (smooth_) rest.chooseFacet_ = 0.0f;
+  rest.normaliseChances();
+  return rest;
 }
 
 Rgb ScatteringSurface::straightTransmittance() const {

@@ -11,8 +11,17 @@
 #include "src/render/basis.h"
 #include "src/render/bsdf.h"
 #include "src/render/microfacet.h"
+#include "src/render/reflection_lobe.h"
 
 namespace promenade::render {
+
+/// What a smooth surface sends to wo from two directions alone: the mirror's and the one behind the surface.
+struct DeltaLobes {
+  Rgb reflected{0.0f};       ///< share of the radiance that arrives along `mirrored`; coat and base together
+  Rgb transmitted{0.0f};     ///< ... along `through`
+  glm::vec3 mirrored{0.0f};  ///< unit, local
+  glm::vec3 through{0.0f};   ///< unit, local; straight on where the wall is thin
+};
 
 class ScatteringSurface {
  public:
@@ -23,6 +32,13 @@ class ScatteringSurface {
   [[nodiscard]] BsdfSample sample(float choose, glm::vec2 u) const;
   [[nodiscard]] BsdfAlbedo albedo() const;
   [[nodiscard]] Rgb straightTransmittance() const;
+  /// The view-dependent part of an opaque surface without clearcoat and delta lobes.
+  [[nodiscard]] ReflectionLobe reflectionLobe() const;
+
+  /// Black where the surface has none.
+  [[nodiscard]] DeltaLobes deltaLobes() const;
+  /// The same surface for whoever follows deltaLobes() by themselves: values, samples and albedo of the rest.
+  [[nodiscard]] ScatteringSurface withoutDeltaLobes() const;
 
  private:
   /// Schlick's Fresnel term of the glossy layer, split by what a facet does with the light.
@@ -37,6 +53,7 @@ class ScatteringSurface {
     }
   };
   [[nodiscard]] FacetColors facetColors(const glm::vec3& h) const;
+  void normaliseChances();
   [[nodiscard]] BsdfValue evaluateReflection(const glm::vec3& wi) const;
   [[nodiscard]] BsdfValue evaluateRoughCoat(const glm::vec3& wi) const;
   [[nodiscard]] BsdfValue evaluateTransmission(const glm::vec3& wi) const;
@@ -76,6 +93,8 @@ class ScatteringSurface {
   SpecularAlbedo coatOut_;
   float coatAgain_ = 0.0f;  // like againColor_ * againScale_
   float underCoat_ = 1.0f;  // what the coat leaves to the base
+
+  bool hasDeltaLobes_ = true;
 
   // Chances of the lobes.
   float chooseCoat_;

@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "src/core/display.h"
 #include "src/render/basis.h"
 #include "src/render/irradiance_records.h"
 #include "src/render/path_renderer.h"
+#include "src/render/reflection_lobe.h"
+#include "src/render/scattering_surface.h"
 #include "tests/render/scenes.h"
 
 namespace promenade::render {
@@ -73,6 +76,50 @@ TEST(LightField, KeepsRadianceToHalfAPerCent) {
   EXPECT_EQ(field.at(16), Rgb(0.0f));
 }
 
+TEST(LightField, WeighsItsCellsAsOneByOne) {
+  LightField field;
+  LightField::Weights weights;
+  Rgb expected(0.0f);
+  float sum = 0.0f;
+  for (std::size_t i = 0; i < LightField::kCells; ++i) {
+    const auto n = static_cast<float>(i);
+    field.set(i, Rgb(0.01f * n, 3.0f / (n + 1.0f), n * n));
+    weights.cell[i] = 1.0f + std::sin(n);
+    expected += weights.cell[i] * field.at(i);
+    sum += weights.cell[i];
+  }
+  const Rgb got = field.weighted(weights);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], 1e-5f * expected[c]);
+  EXPECT_NEAR(weights.sum(), sum, 1e-4f * sum);
+}
+
+/// Perceptual roughness, metallic, cosine of the direction the light goes.
+class LobeOfManyDirections : public testing::TestWithParam<std::tuple<float, float, float>> {};
+
+TEST_P(LobeOfManyDirections, IsTheScatteringFunctionInEach) {
+  BsdfParameters bsdf;
+  bsdf.baseColor = Rgb(0.9f, 0.6f, 0.2f);
+  std::tie(bsdf.roughness, bsdf.metallic, std::ignore) = GetParam();
+  const float cosine = std::get<2>(GetParam());
+  const ScatteringSurface surface(bsdf, {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine});
+  // A record that faces another way than the shading normal: some of its cells lie below the horizon.
+  const Basis shading(glm::normalize(glm::vec3(0.2f, 1.0f, -0.1f)));
+  const Basis field(glm::normalize(glm::vec3(-0.2f, 1.0f, 0.3f)));
+  const LightField::Weights weights = weigh(surface.reflectionLobe(), shading, field);
+  int below = 0;
+  for (std::size_t i = 0; i < LightField::kCells; ++i) {
+    const glm::vec3 wi = shading.toLocal(field.toWorld(LightField::directions()[i]));
+    const float expected = wi.z > 0.0f ? luminance(surface.evaluate(wi).viewDependent) : 0.0f;
+    EXPECT_NEAR(weights.cell[i] / LightField::solidAngles()[i], expected, 1e-3f * expected + 1e-6f) << wi.z;
+    if (wi.z <= 0.0f) ++below;
+  }
+  EXPECT_GT(below, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LobeOfManyDirections,
+                         testing::Combine(testing::Values(0.3f, 0.5f, 1.0f), testing::Values(0.0f, 1.0f),
+                                          testing::Values(0.05f, 0.6f, 1.0f)));
+
 TEST(FieldSums, PathsInACellsMiddleAreThatCells) {
   for (const std::size_t cell : {std::size_t{0}, std::size_t{9}, std::size_t{44}, LightField::kCells - 1}) {
     FieldSums sums;
@@ -126,17 +173,33 @@ LightField halfLit(const glm::vec3& normal) {
   return field;
 }
 
+/// Weights from a function of the direction in world space.
+template <class Weight>
+auto weightsOf(const Weight& weight) {
+  return [weight](const Basis& field) {
+    LightField::Weights weights;
+    for (std::size_t i = 0; i < LightField::kCells; ++i) {
+      weights.cell[i] = weight(field.toWorld(LightField::directions()[i])) * LightField::solidAngles()[i];
+    }
+    return weights;
+  };
+}
+
 TEST(IrradianceRecords, SayWhatArrivesFromWhere) {
   IrradianceRecords records;
   records.place({{0, 0, 0}, kUp, 1.0f});
-  EXPECT_FALSE(records.meanArriving({0, 0, 0}, kUp, [](const glm::vec3&) { return 1.0f; }).has_value());
+  const auto even = weightsOf([](const glm::vec3&) { return 1.0f; });
+  EXPECT_FALSE(records.meanArriving({0, 0, 0}, kUp, even).has_value());
   records.setLight({{Rgb(3.0f), 0.6f * kUp}}, {halfLit(kUp)});
-  const auto mean = [&](const auto& weight) { return records.meanArriving({0.1f, 0, 0}, kUp, weight)->g; };
+  const auto mean = [&](const auto& weight) {
+    return records.meanArriving({0.1f, 0, 0}, kUp, weightsOf(weight))->g;
+  };
   EXPECT_NEAR(mean([](const glm::vec3&) { return 1.0f; }), 3.0f, 0.01f);
   EXPECT_NEAR(mean([](const glm::vec3& d) { return std::max(0.0f, d.x); }), 6.0f, 0.01f);
   EXPECT_NEAR(mean([](const glm::vec3& d) { return std::max(0.0f, -d.x); }), 0.0f, 0.01f);
-  EXPECT_FALSE(records.meanArriving({0, 0, 0}, kUp, [](const glm::vec3&) { return 0.0f; }).has_value());
-  EXPECT_FALSE(records.meanArriving({5, 0, 0}, kUp, [](const glm::vec3&) { return 1.0f; }).has_value());
+  const auto none = weightsOf([](const glm::vec3&) { return 0.0f; });
+  EXPECT_FALSE(records.meanArriving({0, 0, 0}, kUp, none).has_value());
+  EXPECT_FALSE(records.meanArriving({5, 0, 0}, kUp, even).has_value());
 }
 
 TEST(IrradianceRecords, DirectionsAreTheWorldsWhateverTheRecordFaces) {
@@ -148,8 +211,8 @@ TEST(IrradianceRecords, DirectionsAreTheWorldsWhateverTheRecordFaces) {
     fields.push_back(halfLit(normal));
   }
   records.setLight(std::vector<SurfaceLight>(3, {Rgb(1.0f), 0.6f * kUp}), fields);
-  const auto mean =
-      records.meanArriving({0, 0, 0}, kUp, [](const glm::vec3& d) { return std::max(0.0f, d.x - 0.2f); });
+  const auto mean = records.meanArriving(
+      {0, 0, 0}, kUp, weightsOf([](const glm::vec3& d) { return std::max(0.0f, d.x - 0.2f); }));
   EXPECT_NEAR(mean->r, 2.0f, 0.05f);
 }
 
