@@ -3,12 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
 
 #include "src/core/display.h"
+#include "src/core/fnv1a.h"
 #include "src/render/path_tracer_internal.h"
 #include "src/render/ray_offset.h"
 
@@ -303,19 +303,14 @@ void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera
 }
 
 std::uint64_t fingerprint(const Camera& camera) {
-  std::uint64_t state = 0xcbf29ce484222325ull;  // FNV-1a, a word at a time
-  const auto add = [&state](double value) {
-    state = (state ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3ull;
-    state ^= state >> 29;
-  };
+  const Pose& pose = camera.pose();
+  std::vector<double> values = {camera.verticalFieldOfView(), static_cast<double>(camera.size().width),
+                                static_cast<double>(camera.size().height)};
   for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 3; ++r) add(camera.pose().worldFromCamera[c][r]);
-    add(camera.pose().eye[c]);
+    for (int r = 0; r < 3; ++r) values.push_back(pose.worldFromCamera[c][r]);
+    values.push_back(pose.eye[c]);
   }
-  add(camera.verticalFieldOfView());
-  add(camera.size().width);
-  add(camera.size().height);
-  return state;
+  return fnv1a(std::as_bytes(std::span<const double>(values)));
 }
 
 }  // namespace
@@ -326,6 +321,12 @@ bool LightSolution::isFor(const Camera& camera) const {
 
 std::optional<SurfaceLight> LightSolution::at(const glm::vec3& position, const glm::vec3& normal) const {
   std::optional<SurfaceLight> light = fine.at(position, normal);
+  return light ? light : coarse.roughlyAt(position, normal);
+}
+
+std::optional<SurfaceLight> LightSolution::roughlyAt(const glm::vec3& position,
+                                                     const glm::vec3& normal) const {
+  std::optional<SurfaceLight> light = fine.roughlyAt(position, normal);
   return light ? light : coarse.roughlyAt(position, normal);
 }
 

@@ -66,6 +66,9 @@ struct LightSolution {
   [[nodiscard]] bool isFor(const Camera& camera) const;
   /// Nothing where neither knows.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
+  /// ... from single records: for light that many paths bring together.
+  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
+                                                      const glm::vec3& normal) const;
 };
 [[nodiscard]] std::shared_ptr<const LightSolution> solveIrradiance(
     PathTracer& tracer, std::span<const Camera> cameras, const SolutionSettings& settings,

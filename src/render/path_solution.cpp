@@ -131,9 +131,12 @@ void PathTracer::setSolution(std::shared_ptr<const LightSolution> solution) {
   settings_.solution = std::move(solution);
 }
 
-std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex) const {
+std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex,
+                                                          Interpolation interpolation) const {
   if (!settings_.solution) return std::nullopt;
-  return settings_.solution->at(vertex.position, vertex.facing);
+  return interpolation == Interpolation::kRough
+             ? settings_.solution->roughlyAt(vertex.position, vertex.facing)
+             : settings_.solution->at(vertex.position, vertex.facing);
 }
 
 SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
@@ -158,8 +161,9 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   SurfaceLook& look = vertex.look;
   const BsdfAlbedo albedo = scattering.albedo();
   const std::optional<SurfaceLight> known =
-      largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf) ? lightFromSolution(vertex)
-                                                                            : SurfaceLight{};
+      largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf)
+          ? lightFromSolution(vertex, Interpolation::kSmooth)
+          : SurfaceLight{};
   SampleRadiance result = fromDeltaLights(vertex, scattering, rays);
   Rgb traced = albedo.viewDependent;
   if (known) {

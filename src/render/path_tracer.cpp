@@ -176,7 +176,8 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       continue;
     }
     const Shares shares = laterShares(vertex);
-    const std::optional<SurfaceLight> known = lightFromSolution(vertex);
+    const std::optional<SurfaceLight> known =
+        lightFromSolution(vertex, path.blurred ? Interpolation::kRough : Interpolation::kSmooth);
     if (known) {
       const BsdfAlbedo albedo = scattering.albedo();
       const Rgb under = radianceOnTurned(*known, vertex.facing, vertex.look.normal);

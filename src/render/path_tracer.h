@@ -72,7 +72,9 @@ class PathTracer {
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
-  [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex) const;
+  enum class Interpolation { kSmooth, kRough };
+  [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex,
+                                                              Interpolation interpolation) const;
   // What arrives along a line of sight that ends at `hit`; what its end sends there; and by way of it, of
   // which it gets `share`.
   [[nodiscard]] SampleRadiance see(Sight sight, const Hit& hit, const Sampler::Stream& stream,

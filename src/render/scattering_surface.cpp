@@ -195,13 +195,21 @@ ReflectionLobe ScatteringSurface::reflectionLobe() const {
 DeltaLobes ScatteringSurface::deltaLobes() const {
   DeltaLobes lobes;
   if (!hasDeltaLobes_) return lobes;
-  lobes.mirrored = {-wo_.x, -wo_.y, wo_.z};
-  if (coat_ > 0.0f && coatSmooth_) lobes.reflected = Rgb(coat_ * coatOut_.of(kCoatF0, 1.0f));
+  auto& [through, base, coat] = lobes;
   if (smooth_) {
     const FacetColors colors = facetColors(kNormal);
-    lobes.reflected += underCoat_ * colors.reflected;
-    lobes.transmitted = underCoat_ * colors.transmitted;
-    lobes.through = thin_ > 0.0f ? -wo_ : refractThrough(wo_, kNormal, relativeIor_).direction;
+    through = {thin_ > 0.0f ? -wo_ : refractThrough(wo_, kNormal, relativeIor_).direction,
+               underCoat_ * colors.transmitted};
+    base = {{-wo_.x, -wo_.y, wo_.z}, underCoat_ * colors.reflected};
+  }
+  if (coat_ > 0.0f && coatSmooth_) {
+    const glm::vec3 wi = coatBasis_.toWorld({-coatWo_.x, -coatWo_.y, coatWo_.z});
+    const Rgb weight(coat_ * coatOut_.of(kCoatF0, 1.0f));
+    if (wi == base.wi) {
+      base.weight += weight;
+    } else if (wi.z > 0.0f) {
+      coat = {wi, weight};
+    }
   }
   return lobes;
 }

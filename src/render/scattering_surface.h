@@ -4,6 +4,7 @@
 // as functions.
 
 #include <algorithm>
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -15,13 +16,13 @@
 
 namespace promenade::render {
 
-/// What a smooth surface sends to wo from two directions alone: the mirror's and the one behind the surface.
-struct DeltaLobes {
-  Rgb reflected{0.0f};       ///< share of the radiance that arrives along `mirrored`; coat and base together
-  Rgb transmitted{0.0f};     ///< ... along `through`
-  glm::vec3 mirrored{0.0f};  ///< unit, local
-  glm::vec3 through{0.0f};   ///< unit, local; straight on where the wall is thin
+/// The only direction from which a smooth part of a surface sends light to wo.
+struct DeltaLobe {
+  glm::vec3 wi{0.0f};  ///< unit, local; z < 0: behind the surface, straight on where the wall is thin
+  Rgb weight{0.0f};    ///< share of the radiance that arrives along wi; black: there is no such part
 };
+/// Transmitted; reflected by the base; by the clearcoat. What comes from the same direction is one lobe.
+using DeltaLobes = std::array<DeltaLobe, 3>;
 
 class ScatteringSurface {
  public:
@@ -35,7 +36,6 @@ class ScatteringSurface {
   /// The view-dependent part of an opaque surface without clearcoat and delta lobes.
   [[nodiscard]] ReflectionLobe reflectionLobe() const;
 
-  /// Black where the surface has none.
   [[nodiscard]] DeltaLobes deltaLobes() const;
   /// The same surface for whoever follows deltaLobes() by themselves: values, samples and albedo of the rest.
   [[nodiscard]] ScatteringSurface withoutDeltaLobes() const;

@@ -4,6 +4,7 @@
 // proportion to the weight; so clean glass costs hardly more than no glass. Russian roulette keeps the number
 // of lines small and the mean right (docs/method.md, "Lines of sight").
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -29,8 +30,8 @@ void add(const SampleRadiance& part, float share, SampleRadiance& sum) {
   sum.viewDependent += share * part.viewDependent;
 }
 
-/// Numbers for the ways that a line takes at a surface.
-constexpr std::uint32_t kWays = 3, kThrough = 1, kMirrored = 2;
+/// Ways that a line takes at a surface: 1 to 3 along a delta lobe, 4 where nothing covers it.
+constexpr std::uint32_t kWays = 5, kUncovered = 4;
 
 }  // namespace
 
@@ -66,7 +67,9 @@ SampleRadiance PathTracer::see(Sight sight, const Hit& hit, const Sampler::Strea
   }
   if (alpha < 1.0f) {
     sight.besides += luminance(path.throughput * whole(seen));
-    seen.viewDependent += seeBeyond(straightOn(sight, vertex), Rgb(1.0f - alpha), stream, rays);
+    Sight beyond = straightOn(sight, vertex);
+    beyond.turns = kWays * sight.turns + kUncovered;
+    seen.viewDependent += seeBeyond(beyond, Rgb(1.0f - alpha), stream, rays);
   }
   return {clear * seen.diffuse, clear * seen.viewDependent};
 }
@@ -79,10 +82,11 @@ SampleRadiance PathTracer::seeSurface(const Sight& sight, const Vertex& vertex, 
   const ScatteringSurface scattering(look.bsdf, vertex.wo);
   const bool mayScatter = sight.path.bounces < settings_.maxBounces;
   const DeltaLobes lobes = scattering.deltaLobes();
-  const bool hasLobes = !isBlack(lobes.reflected + lobes.transmitted);
+  const bool hasLobes =
+      std::any_of(lobes.begin(), lobes.end(), [](const DeltaLobe& lobe) { return !isBlack(lobe.weight); });
+  const ScatteringSurface rest = hasLobes ? scattering.withoutDeltaLobes() : scattering;
   Sight from = sight;
-  if (mayScatter) {
-    const ScatteringSurface rest = hasLobes ? scattering.withoutDeltaLobes() : scattering;
+  if (mayScatter && !isBlack(rest.albedo().diffuse + rest.albedo().viewDependent)) {
     from.besides = sight.besides + luminance(sight.path.throughput * whole(seen));
     add(settings_.solution ? shadeFromSolution(from, vertex, rest, stream, rays)
                            : shadeByPaths(from, vertex, rest, stream, rays),
@@ -90,24 +94,23 @@ SampleRadiance PathTracer::seeSurface(const Sight& sight, const Vertex& vertex, 
   }
   if (!hasLobes) return seen;
 
-  struct Way {
-    std::optional<Sight> next;
-    Rgb share;
-  };
-  const bool isThin = look.bsdf.thinWalled;
-  std::array<Way, 2> ways;
-  if (isThin) {
-    ways[0] = {straightOn(from, vertex), lobes.transmitted};
-  } else if (mayScatter && !isBlack(lobes.transmitted)) {
-    ways[0] = {turned(from, vertex, lobes.through), lobes.transmitted};
-  }
-  if (mayScatter) ways[1] = {turned(from, vertex, lobes.mirrored), lobes.reflected};
   // What shows most first: how clean the rest must be is measured by it.
-  if (largest(ways[1].share) > largest(ways[0].share)) std::swap(ways[0], ways[1]);
-  for (Way& way : ways) {
-    if (!way.next) continue;
-    way.next->besides = sight.besides + luminance(sight.path.throughput * whole(seen));
-    seen.viewDependent += seeBeyond(*way.next, way.share, stream, rays);
+  std::array<std::uint32_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&lobes](std::uint32_t a, std::uint32_t b) {
+    return largest(lobes[a].weight) > largest(lobes[b].weight);
+  });
+  for (const std::uint32_t i : order) {
+    if (isBlack(lobes[i].weight)) break;
+    std::optional<Sight> next;
+    if (lobes[i].wi.z < 0.0f && look.bsdf.thinWalled) {
+      next = straightOn(from, vertex);
+    } else if (mayScatter) {
+      next = turned(from, vertex, lobes[i].wi);
+    }
+    if (!next) continue;
+    next->turns = kWays * sight.turns + i + 1;
+    next->besides = sight.besides + luminance(sight.path.throughput * whole(seen));
+    seen.viewDependent += seeBeyond(*next, lobes[i].weight, stream, rays);
   }
   return seen;
 }
@@ -137,7 +140,6 @@ Rgb PathTracer::seeBeyond(Sight sight, Rgb share, const Sampler::Stream& stream,
 
 PathTracer::Sight PathTracer::straightOn(Sight sight, const Vertex& vertex) {
   sight.path.origin = offsetRayOrigin(vertex.position, -vertex.facing);
-  sight.turns = kWays * sight.turns + kThrough;
   ++sight.passages;
   return sight;
 }
@@ -151,7 +153,6 @@ std::optional<PathTracer::Sight> PathTracer::turned(Sight sight, const Vertex& v
   mirrored.pdf = 1.0f;
   mirrored.delta = true;
   scatter(vertex, mirrored, world, firstShares(vertex), sight.path);
-  sight.turns = kWays * sight.turns + (localDirection.z > 0.0f ? kMirrored : kThrough);
   return sight;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "src/core/fnv1a.h"
 #include "src/render/irradiance_solution.h"
 #include "src/render/path_renderer.h"
 
@@ -16,9 +17,7 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 constexpr std::string_view kSignature = "PromenadeLight2\n";
 
 std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t state = 0xcbf29ce484222325ull;  // FNV-1a
-  for (const char c : bytes) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return state;
+  return fnv1a(std::as_bytes(std::span(bytes)));
 }
 
 class Writer {

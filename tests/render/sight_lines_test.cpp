@@ -142,6 +142,20 @@ BsdfParameters mixed(float metallic, float transmission, float clearcoat, float 
   return bsdf;
 }
 
+TEST(DeltaLobes, OfASmoothCoatOnASmoothBaseAreOneUnlessTheirNormalsDiffer) {
+  BsdfParameters bsdf = mixed(1.0f, 0.0f, 1.0f, 0.0f);
+  const glm::vec3 wo(0.6f, 0.0f, 0.8f);
+  const auto [none, both, noCoat] = ScatteringSurface(bsdf, wo).deltaLobes();
+  EXPECT_EQ(none.weight, Rgb(0.0f));
+  EXPECT_EQ(noCoat.weight, Rgb(0.0f));
+  EXPECT_EQ(both.wi, glm::vec3(-0.6f, 0.0f, 0.8f));
+  bsdf.clearcoatNormal = {0.6f, 0.0f, 0.8f};  // the coat faces wo
+  const auto [still, base, coat] = ScatteringSurface(bsdf, wo).deltaLobes();
+  EXPECT_NEAR(glm::dot(coat.wi, wo), 1.0f, 1e-5f);
+  EXPECT_NEAR(coat.weight.g, 0.04f, 1e-4f);
+  EXPECT_EQ(base.wi, glm::vec3(-0.6f, 0.0f, 0.8f));
+}
+
 TEST(DeltaLobes, AndTheRestAreTheWholeSurface) {
   BsdfParameters solid = mixed(0.0f, 1.0f, 0.0f, 0.0f);
   solid.thinWalled = false;
@@ -155,7 +169,8 @@ TEST(DeltaLobes, AndTheRestAreTheWholeSurface) {
       const ScatteringSurface surface(bsdf, {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine});
       const DeltaLobes lobes = surface.deltaLobes();
       const ScatteringSurface rest = surface.withoutDeltaLobes();
-      const Rgb parts = lobes.reflected + lobes.transmitted + rest.albedo().viewDependent;
+      Rgb parts = rest.albedo().viewDependent;
+      for (const DeltaLobe& lobe : lobes) parts += lobe.weight;
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(parts[c], surface.albedo().viewDependent[c], 1e-5f);
         EXPECT_EQ(rest.albedo().diffuse[c], surface.albedo().diffuse[c]);
