@@ -6,6 +6,7 @@
 
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
+#include "src/render/stratified_mean.h"
 
 namespace promenade::render {
 namespace {
@@ -16,8 +17,7 @@ constexpr float kLeastTraced = 0.002f;
 /// reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
 /// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
-/// bright one), and up to so many until the standard error of a sample, without what stratification saves, is
-/// this share of all it shows.
+/// bright one), and up to so many until the standard error of a sample is this share of all it shows.
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 256;
 constexpr float kStrongNoise = 0.05f;
@@ -28,6 +28,9 @@ constexpr float kNarrow = 0.1f;
 constexpr int kLeastNarrowPaths = 4;
 /// From one path alone nothing can be told of the noise.
 constexpr int kLeastOfAll = 2;
+/// Beside a known diffuse part only lobes are traced, which find all but small lights by themselves: so
+/// lights are asked for every so many paths.
+constexpr int kPathsPerLight = 4;
 /// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
 constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
@@ -192,54 +195,64 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   Sampler::Stream numbers = sight.numbersOf(stream);
   if (isFaint) numbers = sharedNumbers(numbers);
   numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
-  const Shares shares = firstShares(vertex);
+  // Effort in proportion to what the eye gets of it.
+  const auto ofWeight = [weight](int paths) {
+    return std::max(kLeastOfAll,
+                    static_cast<int>(std::ceil(static_cast<float>(paths) * std::min(weight, 1.0f))));
+  };
+  const int most = ofWeight(std::max(kMostPaths, settings_.pathsPerSample));
+  const int pathsPerLight = known ? kPathsPerLight : 1;
+  const float times = 1.0f / static_cast<float>(pathsPerLight);
+  const Shares asked = firstShares(vertex);
+  const Shares shares{asked.environment * times, asked.local * times};
+  Sampler::Stream lightNumbers = numbers;
+  lightNumbers.seed ^= kLightSeed;
   SampleRadiance sum;
-  float squares = 0.0f;
-  const auto add = [&](const SampleRadiance& part) {
-    const float value = luminance(part.viewDependent) + (known ? 0.0f : luminance(part.diffuse));
+  StratifiedMean found(most);
+  const auto add = [&](int path, const SampleRadiance& part) {
     sum.viewDependent += part.viewDependent;
     if (!known) sum.diffuse += part.diffuse;
-    squares += value * value;
+    found.add(path, luminance(part.viewDependent) + (known ? 0.0f : luminance(part.diffuse)));
   };
-  auto shadows =
-      shadowBatch<SampleRadiance>(embree_, [&add](const SampleRadiance& light, const Rgb& transmittance) {
-        add({light.diffuse * transmittance, light.viewDependent * transmittance});
-      });
+  struct Lit {
+    int path;
+    SampleRadiance light;
+  };
+  auto shadows = shadowBatch<Lit>(embree_, [&add](const Lit& lit, const Rgb& transmittance) {
+    add(lit.path, {lit.light.diffuse * transmittance, lit.light.viewDependent * transmittance});
+  });
   int count = 0;
   const auto trace = [&](int paths) {
     for (const int end = count + paths; count < end; ++count) {
       Sampler sampler(numbers, static_cast<std::uint32_t>(count));
-      sampleLights(vertex, scattering, shares, 1.0f, sampler, DeltaLights::kExcluded,
-                   [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
-                     ++rays.shadow;
-                     shadows.add(shadow, {diffuse, viewDependent});
-                   });
       const float choose = sampler.next1D();
       const BsdfSample s = scattering.sample(choose, sampler.next2D());
+      if (count % pathsPerLight == 0) {
+        Sampler lights(lightNumbers, static_cast<std::uint32_t>(count / pathsPerLight));
+        sampleLights(vertex, scattering, asked, times, lights, DeltaLights::kExcluded,
+                     [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
+                       ++rays.shadow;
+                       shadows.add(shadow, {count, {diffuse, viewDependent}});
+                     });
+      }
       const Rgb scattered = known ? s.viewDependent : s.diffuse + s.viewDependent;
       if (!(s.pdf > 0.0f) || isBlack(scattered)) continue;
       const std::optional<Carried> next = leave(sight, vertex, s, shares);
       if (!next) continue;
       const Rgb arriving = follow(*next, sampler, rays);
-      add({s.diffuse * arriving, s.viewDependent * arriving});
+      add(count, {s.diffuse * arriving, s.viewDependent * arriving});
     }
     shadows.flush();
   };
   const auto isClean = [&] {
     const auto n = static_cast<float>(count);
     const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
-    const float variance = std::max(0.0f, squares / n - mean * mean) / n;
     const float whole = sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean);
-    return weight * std::sqrt(variance) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
+    return weight * found.standardError(count) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
   };
   const bool isNarrow = look.bsdf.roughness < kNarrow &&
                         !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
-  // Effort in proportion to what the eye gets of it.
-  const auto ofWeight = [weight](int paths) {
-    return static_cast<int>(std::ceil(static_cast<float>(paths) * std::min(weight, 1.0f)));
-  };
-  trace(std::max(kLeastOfAll, ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths)));
-  const int most = ofWeight(std::max(kMostPaths, settings_.pathsPerSample));
+  trace(ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths));
   while (count < most && !isClean()) trace(std::min(count, most - count));
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "src/render/stratified_mean.h"
+
 namespace promenade::render {
 namespace {
 
@@ -151,6 +153,52 @@ TEST(Sampler, DecorrelatesPixelsFramesSeedsPathsAndDimensions) {
   EXPECT_LT(std::abs(covariance(here, otherSeed)), limit);
   EXPECT_LT(std::abs(covariance(here, nextDimension)), limit);
   EXPECT_LT(std::abs(covariance(here, nextPath)), 1.0 / 12.0 * 0.7);
+}
+
+/// The mean of u^2 over the first samples of a sequence, or each from a sequence of its own, and its stated
+/// standard error.
+struct Estimate {
+  float mean, error;
+};
+Estimate estimate(int count, bool stratified, std::uint32_t seed) {
+  StratifiedMean values(count);
+  float sum = 0.0f;
+  for (int i = 0; i < count; ++i) {
+    Sampler::Stream stream;
+    stream.seed = seed;
+    if (!stratified) stream.frame = static_cast<std::uint32_t>(i);
+    Sampler sampler(stream, stratified ? static_cast<std::uint32_t>(i) : 0u);
+    const float u = sampler.next1D();
+    values.add(i, 0.25f * u * u);  // in two parts
+    values.add(i, 0.75f * u * u);
+    sum += u * u;
+  }
+  return {sum / static_cast<float>(count), values.standardError(count)};
+}
+
+TEST(StratifiedMean, KnowsTheErrorOfIndependentValues) {
+  // The variance of u^2 is 1/5 - 1/9 = 4/45. Over many seeds the stated variance is that of the mean.
+  double stated = 0.0;
+  constexpr int kSeeds = 400, kCount = 64;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const float error = estimate(kCount, false, seed).error;
+    stated += static_cast<double>(error) * error / kSeeds;
+  }
+  EXPECT_NEAR(stated, 4.0 / 45.0 / kCount, 0.1 * 4.0 / 45.0 / kCount);
+}
+
+TEST(StratifiedMean, KnowsWhatStratificationSavesAndErrsOnTheSafeSide) {
+  constexpr int kSeeds = 100, kCount = 64;
+  double stated = 0.0, actual = 0.0;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const Estimate e = estimate(kCount, true, seed);
+    stated += static_cast<double>(e.error) * e.error / kSeeds;
+    const double off = static_cast<double>(e.mean) - 1.0 / 3.0;
+    actual += off * off / kSeeds;
+  }
+  // Blocks of 8 with one value in each eighth: variance about 1/8^3 of a twelfth of the slope squared.
+  EXPECT_LT(stated, 0.2 * 4.0 / 45.0 / kCount);
+  EXPECT_GT(stated, actual);
 }
 
 }  // namespace
