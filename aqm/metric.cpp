@@ -21,6 +21,7 @@
 #include "aqm/local_mean.h"
 #include "aqm/masking.h"
 #include "aqm/pooling.h"
+#include "aqm/retina.h"
 #include "aqm/spectrum.h"
 #include "aqm/speed_field.h"
 #include "aqm/speed_steps.h"
@@ -100,6 +101,9 @@ void checkSettings(const Settings& settings) {
   }
   if (!(settings.masking.strength > 0.0 && std::isfinite(settings.masking.strength))) {
     reject("masking strength: expected above 0, found ", settings.masking.strength);
+  }
+  if (!(settings.onsetHertz >= 0.0 && settings.onsetHertz <= kMostOnsetHertz)) {
+    reject("onset: expected 0 to ", kMostOnsetHertz, " Hz, found ", settings.onsetHertz);
   }
   if (!(settings.gain > 0.0 && std::isfinite(settings.gain))) {
     reject("gain: expected above 0, found ", settings.gain);
@@ -202,17 +206,21 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
   }
   DifferenceSum differences(test.size(), layout.bands, settings.masking, settings.signedMap);
   const VelocityMap retinal = retinalVelocities(velocity, settings.eye);
-  const auto speedsOf = [&](int orientation) {
-    return speedField(retinal, test.size(), orientation, settings.orientations, settings.eye);
+  const auto speedsOf = [&](int orientation, int band) {
+    return speedField(retinal, test.size(), orientation, settings.orientations, settings.eye,
+                      onsetSpeed(settings.onsetHertz, ppd * filters.centre(band)));
   };
   for (const int orientation : orientationsOf(filters)) {
-    const SpeedField speeds = speedsOf(orientation);
+    SpeedField speeds;
     for (int band = 1; band <= layout.bands; ++band) {
+      if (band == 1 || settings.onsetHertz > 0.0) {
+        speeds = speedsOf(orientation, band);
+      }
       differences.add(bank.respond({band, orientation}, speeds), band);
     }
   }
   const int baseband = layout.bands + 1;
-  const SpeedField speeds = speedsOf(kUnoriented);
+  const SpeedField speeds = speedsOf(kUnoriented, baseband);
   differences.add(bank.respond({baseband, kUnoriented}, speeds), baseband);
 
   return judged(differences.powers(), differences.changes(), settings);

@@ -108,7 +108,9 @@ SignedProbabilityMap signedProbability(const ProbabilityMap& probability, const 
   SignedProbabilityMap result(probability.size());
   for (int y = 0; y < probability.height(); ++y) {
     std::transform(probability.row(y).begin(), probability.row(y).end(), changes.row(y),
-                   result.row(y).begin(), [](float p, float change) { return std::copysign(p, change); });
+                   result.row(y).begin(), [](float p, float change) {
+                     return change > 0.0f ? p : change < 0.0f ? -p : 0.0f;
+                   });
   }
   return result;
 }

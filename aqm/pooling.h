@@ -22,7 +22,8 @@ namespace promenade::aqm {
 /// P = 1 - exp(-Jp^3.5): Jp = 1 is where P = 1 - 1/e = 0.632.
 [[nodiscard]] ProbabilityMap detectionProbability(const Plane<float>& pooled);
 
-/// The probability with the sign of the change: positive where the test frame looks brighter.
+/// The probability with the sign of the change: positive where the test frame looks brighter; 0 where the
+/// changes of the channels cancel exactly, so that swapping the frames changes nothing but signs.
 [[nodiscard]] SignedProbabilityMap signedProbability(const ProbabilityMap& probability,
                                                      const Plane<float>& changes);
 

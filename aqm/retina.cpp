@@ -29,4 +29,8 @@ double channelSpeed(glm::dvec2 retinal, double slowest) {
   return std::max(slowest, glm::length(retinal));
 }
 
+double onsetSpeed(double onsetHertz, double cyclesPerDegree) {
+  return onsetHertz / cyclesPerDegree;
+}
+
 }  // namespace promenade::aqm

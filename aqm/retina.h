@@ -24,4 +24,9 @@ namespace promenade::aqm {
 /// For a channel without orientation: that of the whole motion.
 [[nodiscard]] double channelSpeed(glm::dvec2 retinal, double slowest);
 
+/// The speed at which a grating of `cyclesPerDegree` > 0 passes `onsetHertz` times a second: to the CSF, a
+/// pattern that comes and goes and one that moves past are the same temporal frequency (Kelly 1979). Adds to
+/// the speed of a channel in quadrature. Degrees per second; 0 for 0 Hz.
+[[nodiscard]] double onsetSpeed(double onsetHertz, double cyclesPerDegree);
+
 }  // namespace promenade::aqm

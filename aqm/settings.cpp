@@ -11,8 +11,10 @@ Settings aqm(double pixelsPerDegree) {
 Settings revisedAqm(double pixelsPerDegree) {
   Settings settings = aqm(pixelsPerDegree);
   settings.csf = Csf::kDalyMoving;
+  settings.onsetHertz = 0.9;
   settings.viewingDistanceMetres = 1.0;
-  settings.gain = 1.42;
+  settings.gain = 1.15;
+  settings.masking.strength = 1.24;
   return settings;
 }
 
@@ -30,7 +32,7 @@ Settings vdp(double pixelsPerDegree, double viewingDistanceMetres) {
   settings.decomposition = Decomposition::kCortexAmplitude;
   settings.csf = Csf::kDaly;
   settings.viewingDistanceMetres = viewingDistanceMetres;
-  settings.masking = {Elevation::kDaly, MaskExtent::kChannel, MaskSource::kReference};
+  settings.masking = {Elevation::kDaly, MaskExtent::kChannel, MaskSource::kMutual};
   settings.pooling = Pooling::kNone;
   settings.gain = 1.0;
   settings.signedMap = SignedMap::kYes;

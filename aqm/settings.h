@@ -81,6 +81,7 @@ enum class Execution {
 
 /// Far finer than the eye resolves (60 cycles per degree); finer still would only cost memory.
 inline constexpr double kMostPixelsPerDegree = 2000.0;
+inline constexpr double kMostOnsetHertz = 60.0;
 inline constexpr int kFewestRadialBands = 2;
 inline constexpr int kMostRadialBands = 12;
 inline constexpr int kMostOrientations = 24;
@@ -97,6 +98,9 @@ struct Settings {
   CsfPlacement csfPlacement = CsfPlacement::kWithinBands;
   double viewingDistanceMetres = 0.5;  ///< > 0; only Daly's static CSF asks for it (accommodation)
   Eye eye = Eye::kTracking;
+  /// Temporal frequency of the coming and going of the whole picture on the retina, 0 .. 60 Hz, in quadrature
+  /// with that of its motion; 0: it stands there for long. Only a CSF that knows of motion asks for it.
+  double onsetHertz = 0.0;
   Masking masking{};
   Pooling pooling = Pooling::kHalfDegree;
   /// What responses are multiplied by. 1.09 fits thresholds of Gabor patches (ModelFest) after pooling;
@@ -109,10 +113,13 @@ struct Settings {
 /// The animation quality metric of this project.
 [[nodiscard]] Settings aqm(double pixelsPerDegree);
 
-/// aqm() with Daly's CSF at rest, moved as Kelly's (Csf::kDalyMoving), and the gain that fits Gabor patches
-/// then; adapts to the frames' luminance. Fits thresholds of still patterns, edges in noise and slow flicker
-/// better than aqm(), flicker above 16 Hz worse (docs/validation.md). Not the default: the project's other
-/// numbers are aqm()'s.
+/// aqm() with Daly's CSF at rest, moved as Kelly's (Csf::kDalyMoving), for an eye that looks here and there,
+/// and the gain that fits Gabor patches then; adapts to the frames' luminance. A glance of a third of a
+/// second has about the spectrum of a Gaussian window of standard deviation 0.125 s (in which ModelFest's
+/// patterns were shown): the root mean square of its temporal frequencies is 1 / (2 pi sqrt(2) 0.125 s) = 0.9
+/// Hz. Large patterns are then better seen than if they stood still. Masks count by a quarter more, which
+/// fits edges in noise. Fits thresholds of still patterns, edges in noise and slow flicker better than aqm(),
+/// flicker above 16 Hz worse (docs/validation.md). Not the default: the project's other numbers are aqm()'s.
 [[nodiscard]] Settings revisedAqm(double pixelsPerDegree);
 
 /// The animation quality metric as published (Myszkowski, Rokita, Tawara 2000): Daly's filters, the CSF taken
@@ -121,7 +128,8 @@ struct Settings {
 
 /// Daly's visible differences predictor (1993) for still images, with its signed map. The elevation extends
 /// over a channel's filter (his phase uncertainty): at the pixel alone, thresholds would be those of the
-/// mask's zeros.
+/// mask's zeros. Masking is mutual, his choice where either frame may hold the artefact: an error in the test
+/// frame must not hide itself, and swapping the frames changes nothing but the signs.
 [[nodiscard]] Settings vdp(double pixelsPerDegree, double viewingDistanceMetres);
 
 }  // namespace promenade::aqm

@@ -29,7 +29,8 @@ VelocityMap retinalVelocities(const VelocityMap& imageVelocity, Eye eye) {
   return retinal;
 }
 
-SpeedField speedField(const VelocityMap& retinal, Size image, int orientation, int orientations, Eye eye) {
+SpeedField speedField(const VelocityMap& retinal, Size image, int orientation, int orientations, Eye eye,
+                      double onset) {
   SpeedField field;
   field.steps = speedLevels(eye);
   const double slowest = field.steps.slowest;
@@ -40,28 +41,30 @@ SpeedField speedField(const VelocityMap& retinal, Size image, int orientation, i
     *plane = Plane<float>(image.width, image.height);
   }
   field.levelsOfRow.resize(static_cast<std::size_t>(image.height));
-  const auto slowestGain = static_cast<float>(speedGain(slowest));
+  const auto octaveOf = [&](double speed) { return std::log2(speed / slowest); };
+  // By far the commonest speed: where nothing moves, and wherever the motion is along the bars.
+  const double still = std::min(std::hypot(slowest, onset), fastest);
+  const double stillOctave = octaveOf(still);
+  const auto stillGain = static_cast<float>(speedGain(still));
+  const auto levelsAt = [](double octave) {
+    const int below = static_cast<int>(octave);
+    return octave > below ? 3u << below : 1u << below;
+  };
   tbb::parallel_for(0, image.height, [&](int y) {
     std::uint32_t levels = 0;
     for (int x = 0; x < image.width; ++x) {
       double speed = slowest;
       if (!retinal.empty()) {
         const glm::dvec2 velocity(retinal(x, y));
-        speed = std::min(
-            isOriented ? channelSpeed(velocity, across, slowest) : channelSpeed(velocity, slowest), fastest);
+        speed = isOriented ? channelSpeed(velocity, across, slowest) : channelSpeed(velocity, slowest);
       }
-      field.speed.row(y)[x] = static_cast<float>(speed);
-      if (speed == slowest) {
-        // By far the commonest: where nothing moves, and wherever the motion is along the bars.
-        field.gain.row(y)[x] = slowestGain;
-        levels |= 1u;
-        continue;
-      }
-      const double octave = std::log2(speed / slowest);
-      const int below = static_cast<int>(octave);
+      const bool isStill = speed == slowest;
+      const double seen = isStill ? still : std::min(std::hypot(speed, onset), fastest);
+      const double octave = isStill ? stillOctave : octaveOf(seen);
+      field.speed.row(y)[x] = static_cast<float>(seen);
       field.octave.row(y)[x] = static_cast<float>(octave);
-      field.gain.row(y)[x] = static_cast<float>(speedGain(speed));
-      levels |= octave > below ? 3u << below : 1u << below;
+      field.gain.row(y)[x] = isStill ? stillGain : static_cast<float>(speedGain(seen));
+      levels |= levelsAt(octave);
     }
     field.levelsOfRow[static_cast<std::size_t>(y)] = levels;
   });

@@ -40,8 +40,9 @@ struct SpeedField {
 [[nodiscard]] VelocityMap retinalVelocities(const VelocityMap& imageVelocity, Eye eye = Eye::kTracking);
 
 /// `retinal`: degrees per second, of size `image`, or empty if nothing moves. `orientation`: 0 .. n-1 of n,
-/// or kUnoriented.
+/// or kUnoriented. `onset` >= 0, degrees per second, adds to every speed in quadrature (onsetSpeed()).
 [[nodiscard]] SpeedField speedField(const VelocityMap& retinal, Size image, int orientation,
-                                    int orientations = kOrientations, Eye eye = Eye::kTracking);
+                                    int orientations = kOrientations, Eye eye = Eye::kTracking,
+                                    double onset = 0.0);
 
 }  // namespace promenade::aqm

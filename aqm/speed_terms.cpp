@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "aqm/csf.h"
+#include "aqm/retina.h"
 
 namespace promenade::aqm {
 namespace {
@@ -45,7 +46,8 @@ class BandFunctions {
                 const SpeedLevels& levels, double lowest, double highest, int count)
       : levels_(levels),
         isAtCentre_(settings.csfPlacement == CsfPlacement::kBandCentres),
-        centre_(settings.pixelsPerDegree * filters.centre(band)) {
+        centre_(settings.pixelsPerDegree * filters.centre(band)),
+        onset_(onsetSpeed(settings.onsetHertz, centre_)) {
     for (int i = 0; i < count; ++i) {
       const double f = lowest + (highest - lowest) * i / (count - 1);
       frequencies_.push_back(f * settings.pixelsPerDegree);
@@ -56,9 +58,11 @@ class BandFunctions {
     }
   }
 
-  /// At 2^octave times the slowest speed.
-  [[nodiscard]] Function at(double octave) const {
-    const double v = levels_.slowest * std::exp2(octave);
+  /// At 2^position times the slowest speed of motion.
+  [[nodiscard]] Function at(double position) const {
+    const double moving = levels_.slowest * std::exp2(position);
+    const double v = std::min(std::hypot(moving, onset_), levels_.speed(levels_.last));
+    const double octave = onset_ > 0.0 ? std::log2(v / levels_.slowest) : position;
     Function result(frequencies_.size());
     if (isAtCentre_) {
       addTimes(result, sensitivity(centre_, v), amplitudes_);
@@ -90,6 +94,7 @@ class BandFunctions {
   SpeedLevels levels_;
   bool isAtCentre_;
   double centre_;
+  double onset_;
   Function frequencies_;
   Function amplitudes_;
 };

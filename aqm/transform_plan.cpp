@@ -4,18 +4,22 @@
 #include <bit>
 
 #include "aqm/fast_bank.h"
+#include "aqm/retina.h"
 #include "aqm/speed_field.h"
 
 namespace promenade::aqm {
 namespace {
 
-/// Speed levels that the plain execution transforms for the channels of one orientation.
-int levelsOf(const VelocityMap& retinal, Size size, int orientation, const Settings& settings) {
+/// Speed levels that the plain execution transforms for a channel of centre frequency `rho`.
+int levelsOf(const VelocityMap& retinal, Size size, int orientation, double rho, const Settings& settings) {
   const bool byLevels = (settings.csf == Csf::kKellyDaly || settings.csf == Csf::kDalyMoving) &&
                         settings.csfPlacement == CsfPlacement::kWithinBands;
-  return byLevels ? std::popcount(
-                        speedField(retinal, size, orientation, settings.orientations, settings.eye).levels)
-                  : 1;
+  if (!byLevels) {
+    return 1;
+  }
+  const double onset = onsetSpeed(settings.onsetHertz, rho);
+  return std::popcount(
+      speedField(retinal, size, orientation, settings.orientations, settings.eye, onset).levels);
 }
 
 }  // namespace
@@ -34,8 +38,8 @@ std::vector<PlannedTransforms> plannedTransforms(Size size, const VelocityMap& v
       same->inverse += count;
     }
   };
+  const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
   if (settings.execution == Execution::kFast && isCovered(settings)) {
-    const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
     const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
     for (const BandPlan& plan : bandPlans(layout, filters, settings, Adaptation{}, speeds)) {
       const int channels = plan.band > layout.bands ? 1 : settings.orientations;
@@ -46,9 +50,15 @@ std::vector<PlannedTransforms> plannedTransforms(Size size, const VelocityMap& v
   const VelocityMap retinal = retinalVelocities(velocity, settings.eye);
   for (int l = 0; l < settings.orientations; ++l) {
     const int orientation = settings.orientations == 1 ? kUnoriented : l;
-    addInverse(layout.padded, 2 * layout.bands * levelsOf(retinal, size, orientation, settings));
+    // Without an onset every band has the same speeds.
+    const int different = settings.onsetHertz > 0.0 ? layout.bands : 1;
+    for (int band = 1; band <= different; ++band) {
+      const int levels = levelsOf(retinal, size, orientation, ppd * filters.centre(band), settings);
+      addInverse(layout.padded, 2 * (layout.bands / different) * levels);
+    }
   }
-  addInverse(layout.padded, 2 * levelsOf(retinal, size, kUnoriented, settings));
+  const double lowest = ppd * filters.centre(layout.bands + 1);
+  addInverse(layout.padded, 2 * levelsOf(retinal, size, kUnoriented, lowest, settings));
   return result;
 }
 

@@ -48,7 +48,7 @@ void addRender(CLI::App& verb, RenderOptions& o) {
       "--light-solution", o.lightSolution,
       "File that keeps the light of --integrator walkthrough: read if it is there, extended where this walk "
       "looks anew (default: DIR/light-solution.bin)");
-  verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_option("--display", o.display, "Display preset or file; '?' lists them")->capture_default_str();
   verb.add_option("--tone", o.tone, "Tone curve: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops, or 'auto': one value for the walk")
       ->capture_default_str();
@@ -67,27 +67,57 @@ void addRender(CLI::App& verb, RenderOptions& o) {
   verb.footer("Example:\n  promenade render hall.glb --size 640x360 --out walk");
 }
 
+void addPipeline(CLI::App& verb, PipelineOptions& o) {
+  const std::string group = "Choices of the metric's pipeline, instead of those of --metric";
+  const auto add = [&](const char* name, std::string& value, const char* about) {
+    verb.add_option(name, value, about)->group(group);
+  };
+  add("--contrast", o.contrast, "global: relative to the frames' mean; local: to the surroundings");
+  add("--filters", o.filters, "energy: squares sum to 1; amplitude: Daly's; laplacian: Burt's pyramid");
+  add("--bands", o.bands, "Frequency bands, 2 to 12");
+  add("--orientations", o.orientations, "Orientations of each band, 1 to 24");
+  add("--csf", o.csf,
+      "Contrast sensitivity: kelly (knows of motion), moving (Daly's, changed by motion as kelly), daly, "
+      "mannos");
+  add("--csf-at", o.csfAt, "bands: shapes each band; centres: one value a band");
+  add("--onset", o.onset,
+      "How fast the picture comes and goes on the retina, Hz: 0 for a steady gaze, 0.9 for glances (as "
+      "revised has)");
+  add("--masking", o.masking,
+      "Which frame hides differences: mutual (where both do), test, reference or none");
+  add("--elevation", o.elevation, "How masking raises thresholds: unit (slope 1), or daly (0.7 to 1)");
+  add("--pooling", o.pooling, "What is seen together: half-degree, or none (each pixel by itself)");
+  add("--gain", o.gain, "What responses are multiplied by");
+}
+
 void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("test", o.test, "Image, sequence (folder, dir/%06d.exr, glob) or video")->required();
   verb.add_option("reference", o.reference, "The same kind of thing, of equal size and length")->required();
-  verb.add_option("--metric", o.metric,
-                  "aqm; aqm2000 (as published); revised (adapts to the frames' luminance); vdp (Daly's, for "
-                  "still images, masked by the reference); model1, model2, model3 (Rushmeier's distances); "
-                  "rmse; psnr")
+  verb.add_option(
+          "--metric", o.metric,
+          "aqm; revised (adapts to the frames' luminance, fits still patterns better); aqm2000 (as "
+          "published); vdp (Daly's, for still images); model1, model2, model3 (Rushmeier's distances); "
+          "rmse; psnr")
       ->capture_default_str();
+  verb.add_option("--velocity", o.velocity,
+                  "Image velocity VX,VY in degrees per second (default: the Vector channels, else 0)");
   verb.add_option("--eye", o.eye,
                   "What the eye does as the image moves: tracking (default), fixating or "
                   "stabilised (not even drift)");
-  verb.add_option("--velocity", o.velocity,
-                  "Image velocity VX,VY in degrees per second (default: the Vector channels, else 0)");
-  verb.add_option("--display", o.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_flag("--exact", o.exact, "Without the shortcuts of the fast execution: three times slower");
+  verb.add_option("--display", o.display, "Display preset or file; '?' lists them")->capture_default_str();
   verb.add_option("--ambient", o.ambient, "Light on the screen in lux (default: the display's)");
   verb.add_option("--ppd", o.ppd, "Pixels per degree (default: the display's)");
   verb.add_option("--fps", o.fps, "Frame rate (default: the files', else 25)");
   verb.add_flag("--absolute", o.absolute, "Channel Y of the EXR files is luminance in cd/m2");
+  verb.add_option("--layer", o.layer,
+                  "Layer of the EXR files that holds the picture, as diffuse (default: the whole picture)");
+  verb.add_option("--mask", o.mask, "Image, or sequence, that is white where pixels count (default: all do)");
   verb.add_option("--tone", o.tone, "Tone curve for EXR frames: neutral or linear")->capture_default_str();
   verb.add_option("--exposure", o.exposure, "Stops for EXR frames, or 'auto'")->capture_default_str();
-  verb.add_option("--maps", o.maps, "Folder for an EXR a frame with the maps J, Jp, P (of vdp also SignedP)");
+  verb.add_option(
+      "--maps", o.maps,
+      "Folder for an EXR a frame with the maps J, Jp, P (of vdp also SignedP: negative where darker)");
   verb.add_option("--heatmap", o.heatmap,
                   "Folder for a PNG a frame: both frames, where the difference is seen, how clearly");
   verb.add_option("--csv", o.csv, "File for a table of the frames");
@@ -95,6 +125,7 @@ void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("--fail-above", o.failAbove,
                   "Exit status 1 if more than so many per cent of the worst frame's pixels differ visibly");
   verb.add_option("--threads", o.threads, "Threads, 0: all")->capture_default_str();
+  addPipeline(verb, o.pipeline);
   verb.footer("Example:\n  promenade compare walk reference --heatmap differences --fail-above 5");
 }
 
@@ -210,7 +241,9 @@ std::vector<std::string> withConfig(std::vector<std::string> arguments, const CL
     throw InputError("unknown option '" + printable(name) + "'; did you mean '" + nearest(name, known) +
                      "'? (promenade " + verb.get_name() + " --help lists all)");
   }
-  throw InputError("there are more arguments than expected (promenade " + verb.get_name() +
+  const std::string hint =
+      verb.get_name() == "compare" ? "; quote a pattern from the shell, as 'dir/*.png'" : "";
+  throw InputError("there are more arguments than expected" + hint + " (promenade " + verb.get_name() +
                    " --help lists all)");
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "aqm/predecessors.h"
@@ -15,12 +14,33 @@ namespace {
 constexpr Metric kAll[] = {Metric::kAqm,  Metric::kAqm2000, Metric::kRevised, Metric::kVdp,   Metric::kRmse,
                            Metric::kPsnr, Metric::kModel1,  Metric::kModel2,  Metric::kModel3};
 
-double meanOf(std::span<const float> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+// Calls use(i) for every pixel that counts; how many do.
+template <class Use>
+double forCounted(std::size_t pixels, const Mask& excluded, const Use& use) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (!excluded.empty() && excluded.pixels()[i] != 0) continue;
+    use(i);
+    ++count;
+  }
+  return static_cast<double>(count);
 }
 
-double maxOf(std::span<const float> values) {
-  return static_cast<double>(*std::max_element(values.begin(), values.end()));
+struct Extent {
+  double mean = 0.0;
+  double most = 0.0;
+};
+
+Extent extentOf(std::span<const float> values, const Mask& excluded) {
+  Extent extent;
+  double sum = 0.0;
+  const double count = forCounted(values.size(), excluded, [&](std::size_t i) {
+    const auto value = static_cast<double>(values[i]);
+    sum += value;
+    extent.most = std::max(extent.most, value);
+  });
+  extent.mean = sum / count;
+  return extent;
 }
 
 FrameDifference fromSquares(double sumOfSquares, double count) {
@@ -38,35 +58,14 @@ Metric metricFrom(const std::string& name) {
   return *std::ranges::find(kAll, chosen, [](Metric metric) { return std::string(nameOf(metric)); });
 }
 
-aqm::Eye eyeFrom(const std::string& name) {
-  const std::string chosen = choiceFrom(name, {"tracking", "fixating", "stabilised"}, "--eye");
-  return chosen == "fixating"     ? aqm::Eye::kFixating
-         : chosen == "stabilised" ? aqm::Eye::kStabilised
-                                  : aqm::Eye::kTracking;
-}
-
-bool knowsOfMotion(Metric metric) {
-  return metric == Metric::kAqm || metric == Metric::kAqm2000 || metric == Metric::kRevised;
-}
-
-aqm::Settings settingsOf(Metric metric, const Viewer& viewer) {
-  const double ppd = viewer.pixelsPerDegree;
-  aqm::Settings settings = metric == Metric::kAqm2000   ? aqm::aqm2000(ppd)
-                           : metric == Metric::kRevised ? aqm::revisedAqm(ppd)
-                           : metric == Metric::kVdp     ? aqm::vdp(ppd, viewer.distanceMetres)
-                                                        : aqm::aqm(ppd);
-  settings.eye = viewer.eye;
-  settings.execution = aqm::Execution::kPlain;
-  return settings;
-}
-
-FrameDifference visibility(const aqm::Result& result) {
+FrameDifference visibility(const aqm::Result& result, const Mask& excluded) {
   FrameDifference f;
-  f.percentVisible = aqm::percentVisible(result.probability, Mask());
-  f.jndMean = meanOf(result.jnd.pixels());
-  f.jndMax = maxOf(result.jnd.pixels());
-  f.pooledJndMax = maxOf(result.pooledJnd.pixels());
-  f.probabilityMean = meanOf(result.probability.pixels());
+  f.percentVisible = aqm::percentVisible(result.probability, excluded);
+  const Extent jnd = extentOf(result.jnd.pixels(), excluded);
+  f.jndMean = jnd.mean;
+  f.jndMax = jnd.most;
+  f.pooledJndMax = extentOf(result.pooledJnd.pixels(), excluded).most;
+  f.probabilityMean = extentOf(result.probability.pixels(), excluded).mean;
   return f;
 }
 
@@ -79,28 +78,28 @@ FrameDifference modelDistance(Metric model, const LuminanceMap& test, const Lumi
   return f;
 }
 
-FrameDifference squaredError(const EncodedMap& test, const EncodedMap& reference) {
+FrameDifference squaredError(const EncodedMap& test, const EncodedMap& reference, const Mask& excluded) {
   double sum = 0.0;
   const auto first = test.pixels();
   const auto second = reference.pixels();
-  for (std::size_t i = 0; i < first.size(); ++i) {
+  const double count = forCounted(first.size(), excluded, [&](std::size_t i) {
     const glm::dvec3 d(glm::dvec3(first[i]) - glm::dvec3(second[i]));
     sum += d.x * d.x + d.y * d.y + d.z * d.z;
-  }
-  return fromSquares(sum, 3.0 * static_cast<double>(first.size()));
+  });
+  return fromSquares(sum, 3.0 * count);
 }
 
-FrameDifference squaredError(const LuminanceMap& test, const LuminanceMap& reference) {
+FrameDifference squaredError(const LuminanceMap& test, const LuminanceMap& reference, const Mask& excluded) {
   double sum = 0.0;
   double peak = 0.0;
   const auto first = test.pixels();
   const auto second = reference.pixels();
-  for (std::size_t i = 0; i < first.size(); ++i) {
+  const double count = forCounted(first.size(), excluded, [&](std::size_t i) {
     const double d = static_cast<double>(first[i]) - static_cast<double>(second[i]);
     peak = std::max({peak, static_cast<double>(first[i]), static_cast<double>(second[i])});
     sum += d * d;
-  }
-  return fromSquares(sum / (peak * peak), static_cast<double>(first.size()));
+  });
+  return fromSquares(sum / (peak * peak), count);
 }
 
 }  // namespace promenade::app

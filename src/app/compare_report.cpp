@@ -118,6 +118,7 @@ std::string differenceJson(const SequenceDifference& d) {
     frames.push_back(std::move(frame));
   }
   Json root = {{"metric", nameOf(d.metric)}, {"ppd", d.pixelsPerDegree}, {"fps", d.framesPerSecond}};
+  for (const auto& [name, value] : d.settings) root["settings"][name] = value;
   root["frames"] = std::move(frames);
   const FrameDifference& worst = d.frames[worstFrame(d)];
   if (finding == Finding::kVisibility) {

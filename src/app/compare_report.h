@@ -2,6 +2,7 @@
 // What `promenade compare` says. Pure functions from numbers to text.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace promenade::app {
@@ -39,7 +40,8 @@ struct SequenceDifference {
   std::string test, reference;
   double pixelsPerDegree = 0.0;
   double framesPerSecond = 0.0;
-  std::vector<FrameDifference> frames;  ///< at least one
+  std::vector<std::pair<std::string, std::string>> settings;  ///< choices that differ from the metric's
+  std::vector<FrameDifference> frames;                        ///< at least one
 };
 
 /// The frame with the largest difference (the first of equals): an index into `frames`.

@@ -47,7 +47,7 @@ double exposureFor(std::span<const io::Sequence> sequences) {
     const std::size_t images = sequence.images.size();
     for (std::size_t k = 0; k < std::min(kFrames, images); ++k) {
       const std::size_t index = images <= kFrames ? k : k * (images - 1) / (kFrames - 1);
-      const io::ImageFile image = io::readImage(sequence.images[index]);
+      const io::ImageFile image = io::readImage(sequence.images[index], sequence.layer);
       if (const auto* radiance = std::get_if<RadianceMap>(&image.colour)) addParts(luminances, *radiance);
     }
   }

@@ -21,6 +21,8 @@ constexpr int kLine = kLetterHeight + 6;
 constexpr int kBarRows = 12;
 constexpr int kGap = 8;
 constexpr float kMostJnd = 8.0f;
+// What --mask leaves out: a colour that neither map has.
+const Rgb kExcluded(0.0f, 0.25f, 0.3f);
 
 // How the pixels of the frames are shown.
 struct Zoom {
@@ -57,23 +59,30 @@ struct Tick {
 };
 
 constexpr std::string_view kThresholdWords[] = {"CHANCE THAT A VIEWER SEES A DIFFERENCE",
-                                                "ORANGE, YELLOW: VISIBLE, ABOVE 75%",
-                                                "VIOLET: HARDLY. GREY: NOT AT ALL"};
-constexpr std::string_view kJndWords[] = {"JUST NOTICEABLE DIFFERENCES", "1: AT THE THRESHOLD OF SEEING",
-                                          "MORE: SEEN MORE SURELY"};
-constexpr int kLegendRows = 2 * kGap + kBarRows + 4 * kLine;
+                                                "ORANGE, YELLOW: VISIBLE, COUNTED ABOVE",
+                                                "VIOLET: HARDLY. GREY PICTURE: NOT AT ALL"};
+constexpr std::string_view kJndWords[] = {"JUST NOTICEABLE DIFFERENCES, THRESHOLDS",
+                                          "RIGHT OF THE WHITE MARK: VISIBLE", "DARK PICTURE: NOT SEEN"};
+constexpr std::string_view kExcludedWords = "BLUE-GREEN: LEFT OUT BY THE MASK";
+// Where P = 1 - exp(-Jp^3.5) is 0.75.
+constexpr float kVisibleJnd = 1.0978f;
+constexpr int kLegendRows = 2 * kGap + kBarRows + 5 * kLine;
 
 float jndPlace(float jnd) {
   return std::log2(1.0f + std::clamp(jnd, 0.0f, kMostJnd)) / std::log2(1.0f + kMostJnd);
 }
 
-// A bar, its numbers, and what they mean.
+// A bar with a white mark from where on differences count as visible, its numbers, and what they mean.
 template <class ColourAt>
-void drawLegend(EncodedMap& sheet, int left, int top, int width, const ColourAt& colourAt,
+void drawLegend(EncodedMap& sheet, int left, int top, int width, const ColourAt& colourAt, float mark,
                 std::span<const Tick> ticks, std::span<const std::string_view> words) {
   for (int x = 0; x < width; ++x) {
     const Rgb colour = colourAt(static_cast<float>(x) / static_cast<float>(width - 1));
     for (int y = 0; y < kBarRows; ++y) sheet(left + x, top + kGap + y) = colour;
+  }
+  const int markLeft = left + static_cast<int>(mark * static_cast<float>(width - 1)) - 1;
+  for (int y = -4; y < kBarRows; ++y) {
+    for (int x = 0; x < 3; ++x) sheet(markLeft + x, top + kGap + y) = Rgb(1.0f);
   }
   int line = top + kGap + kBarRows + 4;
   for (const Tick& tick : ticks) {
@@ -108,6 +117,12 @@ Rgb jndColour(float jnd) {
   return glm::mix(colour(i), colour(i + 1), t - static_cast<float>(i));
 }
 
+Rgb jndColourOver(float jnd, float grey) {
+  // Below the threshold of seeing the picture shows through.
+  const float shown = std::clamp(jnd, 0.0f, 1.0f);
+  return jndColour(jnd) + Rgb(grey * (1.0f - shown));
+}
+
 EncodedMap greyPicture(const LuminanceMap& luminance, float white) {
   EncodedMap picture(luminance.size());
   tbb::parallel_for(0, luminance.height(), [&](int y) {
@@ -128,6 +143,9 @@ EncodedMap heatmap(const ComparedFrames& frames, const std::string& title) {
   const int lower = upper + height + kGap + kLine;
   EncodedMap sheet(3 * kGap + 2 * width, lower + height + kLegendRows, Rgb(0.0f));
 
+  const auto isExcluded = [&](int x, int y) {
+    return !frames.excluded.empty() && frames.excluded(x, y) != 0;
+  };
   const auto panel = [&](int left, int top, std::string_view caption, const auto& colourOf) {
     drawText(sheet, left, top - kLine, caption);
     drawPanel(sheet, left + (width - zoom.shown(frame.width)) / 2, top, frame, zoom, colourOf);
@@ -135,24 +153,31 @@ EncodedMap heatmap(const ComparedFrames& frames, const std::string& title) {
   drawText(sheet, kGap, kGap, title);
   panel(kGap, upper, "TEST", [&](int x, int y) { return frames.test(x, y); });
   panel(right, upper, "REFERENCE", [&](int x, int y) { return frames.reference(x, y); });
-  panel(kGap, lower, "THRESHOLD MAP: WHERE A DIFFERENCE IS SEEN", [&](int x, int y) {
+  const auto greyAt = [&](int x, int y) {
     const Rgb& c = frames.reference(x, y);
-    const float grey = 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
-    return visibilityColour(frames.probability(x, y), 0.1f + 0.5f * grey);
+    return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
+  };
+  panel(kGap, lower, "THRESHOLD MAP: WHERE A DIFFERENCE IS SEEN", [&](int x, int y) {
+    return isExcluded(x, y) ? kExcluded
+                            : visibilityColour(frames.probability(x, y), 0.1f + 0.5f * greyAt(x, y));
   });
-  panel(right, lower, "JND MAP: HOW CLEARLY IT IS SEEN",
-        [&](int x, int y) { return jndColour(frames.pooledJnd(x, y)); });
+  panel(right, lower, "JND MAP: HOW CLEARLY IT IS SEEN", [&](int x, int y) {
+    return isExcluded(x, y) ? kExcluded : jndColourOver(frames.pooledJnd(x, y), 0.35f * greyAt(x, y));
+  });
 
   const Tick percents[] = {{0.0f, "0%"}, {0.25f, "25%"}, {0.5f, "50%"}, {0.75f, "75%"}, {1.0f, "100%"}};
   drawLegend(
       sheet, kGap, lower + height, width, [](float place) { return visibilityColour(place, 0.35f); },
-      percents, kThresholdWords);
+      aqm::kVisibleProbability, percents, kThresholdWords);
   const Tick jnds[] = {
       {0.0f, "0"}, {jndPlace(1.0f), "1"}, {jndPlace(2.0f), "2"}, {jndPlace(4.0f), "4"}, {1.0f, "8+"}};
   drawLegend(
       sheet, right, lower + height, width,
-      [](float place) { return jndColour(std::exp2(place * std::log2(1.0f + kMostJnd)) - 1.0f); }, jnds,
-      kJndWords);
+      [](float place) { return jndColour(std::exp2(place * std::log2(1.0f + kMostJnd)) - 1.0f); },
+      jndPlace(kVisibleJnd), jnds, kJndWords);
+  if (!frames.excluded.empty()) {
+    drawText(sheet, kGap, sheet.height() - kGap - kLetterHeight, kExcludedWords);
+  }
   return sheet;
 }
 

@@ -13,10 +13,11 @@ struct ComparedFrames {
   const EncodedMap& reference;
   const ProbabilityMap& probability;
   const JndMap& pooledJnd;  ///< 1 at threshold
+  const Mask& excluded;     ///< nonzero where a pixel does not count; empty: all do
 };
 
 /// Above: test, reference. Below: the threshold map (the reference in grey, P in colours that change where P
-/// exceeds 0.75) and the map of pooled JND. `title` is the first line. All four have one size; frames below
+/// exceeds 0.75) and the map of pooled JND. `title` is the first line. All have one size; frames below
 /// 512 x 270 pixels are enlarged by a whole number, frames of more than 4096 pixels a side reduced by one.
 [[nodiscard]] EncodedMap heatmap(const ComparedFrames& frames, const std::string& title);
 
@@ -25,6 +26,9 @@ struct ComparedFrames {
 
 /// Black, violet, orange, yellow for 0 to 8 just noticeable differences and more, in steps of log(1 + J).
 [[nodiscard]] Rgb jndColour(float jnd);
+
+/// The same over a background of the given grey, which shows through below 1 JND only.
+[[nodiscard]] Rgb jndColourOver(float jnd, float grey);
 
 /// A picture of luminance (cd/m2); `white`, > 0, becomes white.
 [[nodiscard]] EncodedMap greyPicture(const LuminanceMap& luminance, float white);

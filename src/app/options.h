@@ -40,6 +40,11 @@ struct RenderOptions {
   SceneOptions load;
 };
 
+/// Choices of the metric's pipeline, each empty: as --metric has it.
+struct PipelineOptions {
+  std::string contrast, filters, bands, orientations, csf, csfAt, onset, masking, elevation, pooling, gain;
+};
+
 struct CompareOptions {
   std::string test;
   std::string reference;
@@ -51,6 +56,10 @@ struct CompareOptions {
   bool absolute = false;
   std::string metric = "aqm";
   std::string eye;  ///< empty: tracking
+  bool exact = false;
+  PipelineOptions pipeline;
+  std::string layer;  ///< of OpenEXR files; empty: the whole picture
+  std::string mask;   ///< image or sequence; empty: every pixel counts
   std::string tone = "neutral";
   std::string exposure = "auto";
   std::string maps;

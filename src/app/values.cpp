@@ -120,11 +120,16 @@ std::optional<double> exposureFrom(const std::string& text, const std::string& o
   return *stops;
 }
 
-std::string choiceFrom(const std::string& text, std::initializer_list<std::string_view> choices,
+std::string choiceFrom(const std::string& text, std::span<const std::string_view> choices,
                        const std::string& option) {
   if (std::find(choices.begin(), choices.end(), text) != choices.end()) return text;
   throw InputError(option, "unknown value '" + printable(text.substr(0, 80)) + "'; did you mean '" +
-                               nearestName(text, std::span(choices.begin(), choices.size())) + "'?");
+                               nearestName(text, choices) + "'?");
+}
+
+std::string choiceFrom(const std::string& text, std::initializer_list<std::string_view> choices,
+                       const std::string& option) {
+  return choiceFrom(text, std::span(choices.begin(), choices.size()), option);
 }
 
 }  // namespace promenade::app

@@ -2,8 +2,11 @@
 // Option values that are more than one number. Every function throws InputError that begins with `option`.
 
 #include <glm/vec2.hpp>
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "src/core/display.h"
 #include "src/core/image.h"
@@ -41,6 +44,8 @@ struct Crop {
 [[nodiscard]] std::optional<double> exposureFrom(const std::string& text, const std::string& option);
 
 /// One of `choices` (the text itself); names the nearest otherwise.
+[[nodiscard]] std::string choiceFrom(const std::string& text, std::span<const std::string_view> choices,
+                                     const std::string& option);
 [[nodiscard]] std::string choiceFrom(const std::string& text, std::initializer_list<std::string_view> choices,
                                      const std::string& option);
 

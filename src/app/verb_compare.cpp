@@ -6,7 +6,9 @@
 
 #include "aqm/metric.h"
 #include "src/app/compare_metrics.h"
+#include "src/app/compare_region.h"
 #include "src/app/compare_report.h"
+#include "src/app/compare_settings.h"
 #include "src/app/displays.h"
 #include "src/app/exposure.h"
 #include "src/app/folders.h"
@@ -75,11 +77,11 @@ EncodedMap pictureOf(const io::ImageFile& image, const Viewing& viewing, const L
 
 // A metric of visibility, and its files.
 FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityMap& velocity,
-                       const aqm::Settings& settings, const Frame& frame) {
+                       const aqm::Settings& settings, const Frame& frame, const Mask& excluded) {
   const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
   const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
   const aqm::Result result = aqm::compare(test, reference, velocity, settings);
-  const FrameDifference difference = visibility(result);
+  const FrameDifference difference = visibility(result, excluded);
   if (!frame.options.maps.empty()) {
     io::writeMaps(std::filesystem::path(frame.options.maps) / mapName(frame.index, ".exr"),
                   {result.jnd, result.pooledJnd, result.probability, result.signedProbability.pixels()});
@@ -89,24 +91,50 @@ FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityM
         std::max(*std::ranges::max_element(test.pixels()), *std::ranges::max_element(reference.pixels()));
     const EncodedMap shownTest = pictureOf(pair.test, viewing, test, white);
     const EncodedMap shownReference = pictureOf(pair.reference, viewing, reference, white);
-    char title[96];
-    std::snprintf(title, sizeof(title), "Frame %d: %.2f%% of the pixels visibly different, metric %s",
-                  frame.index, difference.percentVisible, nameOf(frame.metric));
-    io::write8bit(std::filesystem::path(frame.options.heatmap) / mapName(frame.index, ".png"),
-                  heatmap({shownTest, shownReference, result.probability, result.pooledJnd}, title));
+    char title[160];
+    std::snprintf(title, sizeof(title),
+                  "Frame %d: %.2f%% of the pixels visibly different. %s, %.40s, %.1f pixels a degree",
+                  frame.index, difference.percentVisible, nameOf(frame.metric),
+                  viewing.absolute ? "cd/m2 as given" : viewing.display.name.c_str(),
+                  viewing.pixelsPerDegree);
+    io::write8bit(
+        std::filesystem::path(frame.options.heatmap) / mapName(frame.index, ".png"),
+        heatmap({shownTest, shownReference, result.probability, result.pooledJnd, excluded}, title));
   }
   return difference;
 }
 
+// What was asked for and the metric cannot do.
+void refuseWhatIsIgnored(const CompareOptions& options, Metric metric) {
+  const Finding finding = findingOf(metric);
+  if (finding == Finding::kVisibility) return;
+  const std::string chosen = "'" + options.metric + "' was chosen";
+  if (!options.failAbove.empty() || !options.maps.empty() || !options.heatmap.empty()) {
+    throw InputError(
+        "--fail-above, --maps, --heatmap: only aqm, aqm2000, revised and vdp have visible pixels and maps, " +
+        chosen);
+  }
+  if (!options.velocity.empty() || !options.eye.empty()) {
+    throw InputError("--velocity, --eye: only aqm, aqm2000 and revised know of motion, " + chosen);
+  }
+  if (const auto choices = made(options.pipeline); !choices.empty()) {
+    throw InputError("--" + choices.front().first +
+                     ": only aqm, aqm2000, revised and vdp have such choices, " + chosen);
+  }
+  if (finding == Finding::kDistance && !options.mask.empty()) {
+    throw InputError("--mask: the models compare whole frames, " + chosen);
+  }
+}
+
 // A metric that is one number.
-FrameDifference measured(const Pair& pair, const Viewing& viewing, Metric metric) {
+FrameDifference measured(const Pair& pair, const Viewing& viewing, Metric metric, const Mask& excluded) {
   if (findingOf(metric) == Finding::kSquaredError && !viewing.absolute)
-    return squaredError(encodedOf(pair.test, viewing), encodedOf(pair.reference, viewing));
+    return squaredError(encodedOf(pair.test, viewing), encodedOf(pair.reference, viewing), excluded);
   const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
   const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
   return findingOf(metric) == Finding::kDistance
              ? modelDistance(metric, test, reference, viewing.pixelsPerDegree)
-             : squaredError(test, reference);
+             : squaredError(test, reference, excluded);
 }
 
 }  // namespace
@@ -121,16 +149,8 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   if (!options.failAbove.empty()) failAbove = numberFrom(options.failAbove, 0.0, 100.0, "--fail-above");
   const Metric metric = difference.metric;
   const bool showsVisibility = findingOf(metric) == Finding::kVisibility;
-  if (!showsVisibility && (failAbove || !options.maps.empty() || !options.heatmap.empty())) {
-    throw InputError(
-        "--fail-above, --maps, --heatmap: only aqm, aqm2000, revised and vdp have visible pixels and maps, "
-        "'" +
-        options.metric + "' was chosen");
-  }
-  if (!options.eye.empty() && !knowsOfMotion(metric)) {
-    throw InputError("--eye: only aqm, aqm2000 and revised know of motion, '" + options.metric +
-                     "' was chosen");
-  }
+  difference.settings = made(options.pipeline);
+  refuseWhatIsIgnored(options, metric);
   Viewing viewing;
   viewing.display = displayNamed(options.display);
   if (!options.ambient.empty()) {
@@ -144,9 +164,15 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
 
   const Viewer viewer{viewing.pixelsPerDegree, viewing.display.viewingDistanceMetres,
                       options.eye.empty() ? aqm::Eye::kTracking : eyeFrom(options.eye)};
+  aqm::Settings settings = settingsOf(metric, viewer, options.pipeline);
+  if (options.exact) settings.execution = aqm::Execution::kPlain;
+  if (showsVisibility && !knowsOfMotion(settings) && !(options.velocity.empty() && options.eye.empty())) {
+    throw InputError(
+        "--velocity, --eye: only aqm, aqm2000 and revised know of motion, and not with --csf daly or mannos");
+  }
 
-  const io::Sequence sequences[] = {io::resolveSequence(options.test),
-                                    io::resolveSequence(options.reference)};
+  io::Sequence sequences[] = {io::resolveSequence(options.test), io::resolveSequence(options.reference)};
+  for (io::Sequence& sequence : sequences) sequence.layer = options.layer;
   io::SequenceReader test(sequences[0]);
   io::SequenceReader reference(sequences[1]);
   if (test.frameCount() != reference.frameCount()) {
@@ -162,6 +188,7 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   if (!options.maps.empty()) makeFolder(options.maps);
   if (!options.heatmap.empty()) makeFolder(options.heatmap);
 
+  Region region(options.mask, test.frameCount());
   Motion motion(viewing);
   const ProgressCallback progress = console.progress();
   const auto count = static_cast<std::uint64_t>(test.frameCount());
@@ -176,13 +203,14 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
                        ": only images of equal size can be compared");
     }
     const Pair pair{*a, *b, test.file(index), reference.file(index)};
+    const Mask& excluded = region.next(a->size());
     FrameDifference frame;
     if (showsVisibility) {
       const VelocityMap velocity =
-          knowsOfMotion(metric) ? motion.next(*a, *b, index + 1 == test.frameCount()) : VelocityMap();
-      frame = judged(pair, viewing, velocity, settingsOf(metric, viewer), {options, metric, index});
+          knowsOfMotion(settings) ? motion.next(*a, *b, index + 1 == test.frameCount()) : VelocityMap();
+      frame = judged(pair, viewing, velocity, settings, {options, metric, index}, excluded);
     } else {
-      frame = measured(pair, viewing, metric);
+      frame = measured(pair, viewing, metric, excluded);
     }
     frame.index = index;
     difference.frames.push_back(frame);

@@ -15,6 +15,7 @@ struct Sequence {
   std::string argument;                       ///< as it was given, for messages
   std::vector<std::filesystem::path> images;  ///< in order; empty for a video
   std::filesystem::path video;                ///< empty for images
+  std::string layer;                          ///< of the images, as for readImage()
   [[nodiscard]] bool isVideo() const { return !video.empty(); }
 };
 
@@ -23,8 +24,7 @@ struct Sequence {
 /// - a folder: its images in the order of their names, which must all have one extension; a folder without
 ///   images but with a subfolder "frames" (what `promenade render` writes) means that subfolder;
 /// - a printf pattern with one %d or %0Nd in the file name ("dir/%06d.exr"): from the lowest number that is
-/// there to
-///   the highest, without a gap;
+///   there to the highest, without a gap;
 /// - a glob ("dir/frame_*.png"), quoted from the shell, in the order of the names.
 /// A file that bears the very name comes before pattern and glob. Hidden files are never taken.
 /// Throws InputError that says what was found instead.

@@ -8,7 +8,11 @@ namespace promenade::io {
 
 struct SequenceReader::State {
   explicit State(Sequence&& given) : sequence(std::move(given)) {
-    if (sequence.isVideo()) video.emplace(sequence.video);
+    if (!sequence.isVideo()) return;
+    if (!sequence.layer.empty()) {
+      throw InputError(sequence.video.string(), "--layer: only OpenEXR files have layers, this is a video");
+    }
+    video.emplace(sequence.video);
   }
   Sequence sequence;
   std::optional<VideoReader> video;
@@ -44,7 +48,7 @@ std::optional<ImageFile> SequenceReader::next() {
     if (!decoded) return std::nullopt;
     image.colour = std::move(*decoded);
   } else {
-    image = readImage(file(frame));
+    image = readImage(file(frame), state.sequence.layer);
   }
   if (frame == 0) state.firstSize = image.size();
   if (image.size() != state.firstSize) {

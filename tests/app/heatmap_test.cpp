@@ -11,9 +11,12 @@ struct Frames {
   EncodedMap test, reference;
   ProbabilityMap probability;
   JndMap jnd;
+  Mask excluded;
   explicit Frames(Size size)
       : test(size, Rgb(0.8f, 0.2f, 0.1f)), reference(size, Rgb(0.5f)), probability(size), jnd(size) {}
-  [[nodiscard]] EncodedMap sheet() const { return heatmap({test, reference, probability, jnd}, "Frame 3"); }
+  [[nodiscard]] EncodedMap sheet() const {
+    return heatmap({test, reference, probability, jnd, excluded}, "Frame 3");
+  }
 };
 
 int pixelsOf(const EncodedMap& image, const Rgb& colour) {
@@ -53,6 +56,21 @@ TEST(Heatmap, JndColoursGrowBrighterAndEndAtEight) {
     before = brightness;
   }
   EXPECT_EQ(jndColour(100.0f), jndColour(8.0f));
+}
+
+TEST(Heatmap, ShowsThePictureUnderTheJndMapOnlyWhereNothingIsSeen) {
+  EXPECT_EQ(jndColourOver(0.0f, 0.2f), Rgb(0.2f));
+  EXPECT_EQ(jndColourOver(1.0f, 0.2f), jndColour(1.0f));
+  EXPECT_EQ(jndColourOver(3.0f, 0.2f), jndColour(3.0f));
+}
+
+TEST(Heatmap, HasAColourOfItsOwnForWhatTheMaskLeavesOut) {
+  Frames frames(Size{600, 300});
+  const Rgb leftOut(0.0f, 0.25f, 0.3f);
+  EXPECT_EQ(pixelsOf(frames.sheet(), leftOut), 0);
+  frames.excluded = Mask(Size{600, 300});
+  for (int x = 0; x < 10; ++x) frames.excluded(x, 7) = 1;
+  EXPECT_EQ(pixelsOf(frames.sheet(), leftOut), 20);  // in both maps
 }
 
 TEST(Heatmap, EnlargesSmallFramesAndReducesLargeOnesByWholeNumbers) {

@@ -244,6 +244,8 @@ TEST(FastExecution, FindsWhatThePlainOneFindsInEveryCoveredSetting) {
   with("amplitude filters", [](Settings& s) { s.decomposition = Decomposition::kCortexAmplitude; });
   with("band centres", [](Settings& s) { s.csfPlacement = CsfPlacement::kBandCentres; });
   with("another CSF", [](Settings& s) { s.csf = Csf::kDalyMoving; });
+  with("an onset", [](Settings& s) { s.onsetHertz = 2.0; });
+  with("revised", [](Settings& s) { s = revisedAqm(30.0); });
   with("strong masking", [](Settings& s) { s.masking.strength = 2.0; });
   with("fixating", [](Settings& s) { s.eye = Eye::kFixating; });
   with("stabilised", [](Settings& s) { s.eye = Eye::kStabilised; });

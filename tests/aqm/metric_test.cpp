@@ -185,6 +185,31 @@ TEST(Metric, StaysFiniteForTheBrightestDarkestAndFastest) {
   }
 }
 
+// A faint blob in a large uniform frame is what it is in a small one: beside it there is nothing to see, and
+// one blob hardly changes the mean.
+TEST(Metric, OfFramesOf8KIsThatOfTheirPart) {
+  const auto blobAt = [](glm::dvec2 centre) {
+    return [=](int x, int y) {
+      const double dx = x - centre.x;
+      const double dy = y - centre.y;
+      return std::abs(dx) < 100.0 && std::abs(dy) < 100.0
+                 ? 50.0 * (1.0 + 0.2 * std::exp(-(dx * dx + dy * dy) / 50.0))
+                 : 50.0;
+    };
+  };
+  const Size large{7680, 4320};
+  const Size small{640, 480};
+  // Moved by a multiple of 32 pixels, the coarsest grid's step.
+  const Result whole =
+      compare(frameOf(large, blobAt({7040.0, 3840.0})), LuminanceMap(large, 50.0f), {}, Settings{40.0});
+  const Result part =
+      compare(frameOf(small, blobAt({320.0, 256.0})), LuminanceMap(small, 50.0f), {}, Settings{40.0});
+  const double seen = static_cast<double>(part.pooledJnd(320, 256));
+  EXPECT_GT(seen, 1.0);
+  EXPECT_NEAR(whole.pooledJnd(7040, 3840), seen, 0.01 * seen);
+  EXPECT_LT(whole.pooledJnd(100, 100), 0.01);
+}
+
 std::string messageOf(const std::function<void()>& action) {
   try {
     action();

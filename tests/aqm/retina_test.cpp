@@ -104,6 +104,23 @@ TEST(SpeedField, NamesTheLevelsThatHaveAWeight) {
   EXPECT_FLOAT_EQ(field.speed.row(2)[0], static_cast<float>(field.steps.speed(13)));
 }
 
+// 2 Hz of 4 cycles per degree are 0.5 degrees per second: hypot(0.15, 0.5) = 0.522 where nothing moves,
+// hypot(1.2, 0.5) = 1.3 where 1.2 do; log2(1.3 / 0.15) = 3.115, between levels 3 and 4, log2(0.522 / 0.15)
+// = 1.799.
+TEST(SpeedField, HasAnOnsetInQuadrature) {
+  VelocityMap retinal(2, 1);
+  retinal(1, 0) = {1.2f, 0.0f};
+  EXPECT_EQ(onsetSpeed(2.0, 4.0), 0.5);
+  const SpeedField field =
+      speedField(retinal, retinal.size(), 0, kOrientations, Eye::kFixating, onsetSpeed(2.0, 4.0));
+  EXPECT_NEAR(field.speed.row(0)[0], 0.522, 1e-3);
+  EXPECT_NEAR(field.octave.row(0)[0], 1.799, 1e-3);
+  EXPECT_NEAR(field.speed.row(0)[1], 1.3, 1e-6);
+  EXPECT_NEAR(field.octave.row(0)[1], 3.115, 1e-3);
+  EXPECT_EQ(field.levels, 0b11110u);
+  EXPECT_NEAR(field.gain.row(0)[1], speedGain(1.3), 1e-4 * speedGain(1.3));
+}
+
 TEST(SpeedField, TakesTheEyesPursuitOff) {
   VelocityMap image(1, 1);
   image(0, 0) = {3.0f, -4.0f};

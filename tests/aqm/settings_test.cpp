@@ -66,6 +66,17 @@ Settings unpooled() {
   return settings;
 }
 
+// At 2 Hz a grating of 4 cycles per degree is to the CSF what one is that drifts at 0.5 degrees per second
+// besides the eye's own 0.15.
+TEST(Settings, AnOnsetIsATemporalFrequencyInQuadratureWithThatOfTheMotion) {
+  Settings settings = unpooled();
+  settings.onsetHertz = 2.0;
+  expectSensitivity(faintGrating(settings), sensitivity(4.0, std::hypot(0.15, 0.5)));
+  const VelocityMap moving = velocityOf(kSize, [](int, int) { return glm::dvec2(1.2, 0.0); });
+  settings.eye = Eye::kFixating;
+  expectSensitivity(faintGrating(settings, moving), sensitivity(4.0, std::hypot(1.2, 0.5)));
+}
+
 std::vector<Settings> allKinds() {
   std::vector<Settings> kinds{aqm(kPpd), aqm2000(kPpd), vdp(kPpd, 0.5), revisedAqm(kPpd)};
   const auto with = [&](auto member, auto value) {
@@ -104,8 +115,7 @@ TEST(Settings, OfThePublishedMetricsAreTheirChoices) {
   EXPECT_EQ(vdp(60.0, 0.7).csf, Csf::kDaly);
   EXPECT_EQ(revisedAqm(60.0).csf, Csf::kDalyMoving);
   EXPECT_EQ(vdp(60.0, 0.7).viewingDistanceMetres, 0.7);
-  EXPECT_EQ(vdp(60.0, 0.7).masking,
-            (Masking{Elevation::kDaly, MaskExtent::kChannel, MaskSource::kReference}));
+  EXPECT_EQ(vdp(60.0, 0.7).masking, (Masking{Elevation::kDaly, MaskExtent::kChannel, MaskSource::kMutual}));
   EXPECT_EQ(vdp(60.0, 0.7).signedMap, SignedMap::kYes);
 }
 
@@ -352,6 +362,7 @@ TEST(Settings, OutOfRangeAreNamed) {
   EXPECT_EQ(complaint([](Settings& s) { s.orientations = 0; }), "orientations: expected 1 to 24, found 0");
   EXPECT_THAT(complaint([](Settings& s) { s.viewingDistanceMetres = 0.0; }),
               ::testing::HasSubstr("viewing distance: expected metres above 0"));
+  EXPECT_EQ(complaint([](Settings& s) { s.onsetHertz = -1.0; }), "onset: expected 0 to 60 Hz, found -1");
   EXPECT_THAT(complaint([](Settings& s) { s.gain = std::nan(""); }), ::testing::HasSubstr("gain: expected"));
 }
 
