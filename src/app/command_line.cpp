@@ -39,6 +39,10 @@ void addRender(CLI::App& verb, RenderOptions& o) {
   verb.add_option("--tolerance", o.tolerance, "Per cent of pixels that may differ visibly")
       ->capture_default_str();
   verb.add_option("--spacing", o.spacing, "Frames from keyframe to keyframe at first")->capture_default_str();
+  verb.add_option(
+          "--verify", o.verify,
+          "Per cent of the warped samples of a segment's middle that are ray traced to check the warp")
+      ->capture_default_str();
   verb.add_option("--method", o.method, "ibr, or full: every frame ray traced")->capture_default_str();
   verb.add_option("--integrator", o.integrator,
                   "Light transport: walkthrough (light on matt surfaces solved once for the whole walk), or path "

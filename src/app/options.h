@@ -22,6 +22,7 @@ struct RenderOptions {
   std::string spp = "auto";
   std::string tolerance = "3";
   std::string spacing = "16";
+  std::string verify = "1";  ///< per cent
   std::string method = "ibr";
   std::string integrator = "walkthrough";
   std::string lightSolution;  ///< empty: DIR/light-solution.bin

@@ -45,6 +45,7 @@ RenderValues renderValues(const RenderOptions& options) {
   if (options.spp != "auto") v.pathsPerSample = integerFrom(options.spp, 1, 1 << 20, "--spp");
   v.tolerancePercent = numberFrom(options.tolerance, 0.0, 100.0, "--tolerance");
   v.spacing = integerFrom(options.spacing, 1, 1'000'000, "--spacing");
+  v.verifyPercent = numberFrom(options.verify, 0.0, 100.0, "--verify");
   v.method = choiceFrom(options.method, {"ibr", "full"}, "--method") == "full"
                  ? walkthrough::Method::kFull
                  : walkthrough::Method::kImageBased;
@@ -104,6 +105,8 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   s.method = values.method;
   s.tolerancePercent = values.tolerancePercent;
   s.keyframeSpacing = values.spacing;
+  s.probeShare = values.verifyPercent / 100.0;
+  s.seed = values.seed;
   s.display = values.display;
   s.tone = {values.tone, values.exposureEv.value_or(0.0)};
   return s;
@@ -121,9 +124,10 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
        {static_cast<double>(settings.size.width), static_cast<double>(settings.size.height),
         static_cast<double>(settings.supersample), static_cast<double>(settings.frames.first),
         static_cast<double>(settings.frames.last), settings.tolerancePercent,
-        static_cast<double>(settings.keyframeSpacing), static_cast<double>(d.resolution.width),
-        static_cast<double>(d.resolution.height), d.diagonalMetres, d.viewingDistanceMetres, d.peakLuminance,
-        d.blackLuminance, d.ambientIlluminance, d.screenReflectance, static_cast<double>(d.transfer)}) {
+        static_cast<double>(settings.keyframeSpacing), settings.probeShare,
+        static_cast<double>(d.resolution.width), static_cast<double>(d.resolution.height), d.diagonalMetres,
+        d.viewingDistanceMetres, d.peakLuminance, d.blackLuminance, d.ambientIlluminance, d.screenReflectance,
+        static_cast<double>(d.transfer)}) {
     f.add(value);
   }
   for (const std::string& text :

@@ -20,6 +20,7 @@ struct RenderValues {
   std::optional<int> pathsPerSample;  ///< nothing: automatic
   double tolerancePercent = 3.0;
   int spacing = 16;
+  double verifyPercent = 1.0;
   walkthrough::Method method = walkthrough::Method::kImageBased;
   DisplayModel display;
   ToneCurve tone = ToneCurve::kNeutral;

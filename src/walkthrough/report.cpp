@@ -19,6 +19,7 @@ Json jobJson(const Report& report) {
           {"frames", s.frames.count()},
           {"method", s.method == Method::kFull ? "full" : "ibr"},
           {"tolerance", s.tolerancePercent},
+          {"verify", 100.0 * s.probeShare},
           {"display", s.display.name},
           {"seed", job.seed},
           {"threads", job.threads},
@@ -41,6 +42,7 @@ Json totalsJson(const Report& report) {
           {"keyframes", s.keyframes()},
           {"samples", s.samples()},
           {"samples_traced", s.samplesTraced()},
+          {"samples_probed", s.probes()},
           {"traced_fraction", s.tracedFraction()},
           {"rays", s.rays.primary + s.rays.scattered + s.rays.shadow},
           {"visibility_rays", s.rays.visibility},
@@ -70,6 +72,8 @@ std::string reportJson(const Report& report) {
                         {"difference_percent", s.differencePercent},
                         {"masked_percent", s.maskedPercent},
                         {"unverified_percent", s.unverifiedPercent},
+                        {"probes", s.probes},
+                        {"probe_difference_percent", s.probeDifferencePercent},
                         {"decision", s.decision == Decision::kSplit ? "split" : "accept"},
                         {"depth", s.segment.depth}});
   }

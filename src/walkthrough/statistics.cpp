@@ -13,6 +13,12 @@ std::uint64_t Statistics::samples() const {
 std::uint64_t Statistics::samplesTraced() const {
   std::uint64_t sum = 0;
   for (const FrameStatistics& frame : frames) sum += frame.samplesTraced;
+  return sum + probes();
+}
+
+std::uint64_t Statistics::probes() const {
+  std::uint64_t sum = 0;
+  for (const SegmentStatistics& segment : segments) sum += segment.probes;
   return sum;
 }
 

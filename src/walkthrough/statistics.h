@@ -30,7 +30,12 @@ struct SegmentStatistics {
   /// Per cent of the remaining (not masked) pixels of the middle frame where a viewer sees a difference.
   double differencePercent = 0.0;
   double maskedPercent = 0.0;      ///< pixels that will be traced anyway: holes and failing items
-  double unverifiedPercent = 0.0;  ///< pixels that only one keyframe fills: their warp was not checked
+  double unverifiedPercent = 0.0;  ///< pixels that only one keyframe fills: nothing was compared there
+  /// Samples of the middle that were ray traced to check its warp, besides those of the frame itself. None
+  /// where the two warps differ too much already.
+  std::uint64_t probes = 0;
+  /// Per cent of the remaining pixels where a viewer sees what the probes found; 0 without probes.
+  double probeDifferencePercent = 0.0;
 };
 
 /// Wall seconds by part; the parts do not overlap.
@@ -50,9 +55,11 @@ struct Statistics {
   RayCounts rays;
 
   [[nodiscard]] std::uint64_t samples() const;
+  /// Fully shaded samples, those of keyframes and probes included.
   [[nodiscard]] std::uint64_t samplesTraced() const;
+  [[nodiscard]] std::uint64_t probes() const;
   [[nodiscard]] int keyframes() const;
-  /// Fully shaded samples over all samples of all frames, keyframes included.
+  /// samplesTraced() over all samples of all frames.
   [[nodiscard]] double tracedFraction() const;
 };
 

@@ -11,6 +11,7 @@
 #include "src/core/resolve.h"
 #include "src/walkthrough/inbetween.h"
 #include "src/walkthrough/judge.h"
+#include "src/walkthrough/verify.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -26,6 +27,9 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
   if (settings.keyframeSpacing < 1) throw InputError("spacing", "expected at least 1");
   if (!(settings.tolerancePercent >= 0.0 && settings.tolerancePercent <= 100.0)) {
     throw InputError("tolerance", "expected a per cent in [0, 100]");
+  }
+  if (!(settings.probeShare >= 0.0 && settings.probeShare <= 1.0)) {
+    throw InputError("verify", "expected a share in [0, 1]");
   }
 }
 
@@ -59,7 +63,7 @@ class Walk {
     FrameStatistics statistics;
     bool finished = false;
   };
-  struct Middle {
+  struct JudgedInbetween {
     int index = -1;
     WarpedPair warped;
     ItemVerdict verdict;
@@ -112,14 +116,24 @@ class Walk {
   }
 
   Decision judge(const Segment& segment) {
-    Middle middle;
+    JudgedInbetween middle;
     middle.index = segment.middle();
     middle.warped = warpTo(middle.index, segment);
+    VelocityMap velocity;
     Judgement judgement;
     {
       const Stopwatch watch(statistics_.seconds.metric);
-      judgement = judgeMiddle(segment, middle.warped, velocityAt(middle.index, middle.warped.target),
-                              renderer_, settings_);
+      velocity = velocityAt(middle.index, middle.warped.target);
+      judgement = judgeMiddle(segment, middle.warped, velocity, renderer_, settings_);
+    }
+    if (judgement.statistics.decision == Decision::kAccept && settings_.probeShare > 0.0) {
+      Verification verification = verifyMiddle(
+          {middle.index, placeOf(middle.index, segment), middle.warped, velocity, judgement.items}, renderer_,
+          settings_, statistics_.seconds);
+      judgement.items = std::move(verification.items);
+      judgement.statistics.probes = verification.probes;
+      judgement.statistics.probeDifferencePercent = verification.differencePercent;
+      judgement.statistics.decision = judgement.middle.decision = verification.decision;
     }
     statistics_.segments.push_back(judgement.statistics);
     const Decision decision = judgement.statistics.decision;
@@ -129,6 +143,11 @@ class Walk {
       middle_ = std::move(middle);
     }
     return decision;
+  }
+
+  /// In (0, 1) between the keyframes of its segment.
+  [[nodiscard]] static double placeOf(int index, const Segment& segment) {
+    return static_cast<double>(index - segment.first) / static_cast<double>(segment.last - segment.first);
   }
 
   void finish(const Segment& segment) {
@@ -145,9 +164,8 @@ class Walk {
   void finishInbetween(int index, const Segment& segment) {
     const auto start = std::chrono::steady_clock::now();
     WarpedPair pair = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
-    const double t =
-        static_cast<double>(index - segment.first) / static_cast<double>(segment.last - segment.first);
-    Inbetween made = synthesise(std::move(pair), t, index, middle_.verdict, renderer_, statistics_.seconds);
+    Inbetween made = synthesise(std::move(pair), placeOf(index, segment), index, middle_.verdict, renderer_,
+                                statistics_.seconds);
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     output(index, made.frame, std::move(made.statistics));
   }
@@ -188,7 +206,7 @@ class Walk {
   const Settings& settings_;
   const Outputs& outputs_;
   std::map<int, Keyframe> keyframes_;
-  Middle middle_;  ///< of the segment that was accepted last
+  JudgedInbetween middle_;  ///< of the segment that was accepted last
   Statistics statistics_;
 };
 

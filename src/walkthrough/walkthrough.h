@@ -2,6 +2,7 @@
 // The whole road from a path to finished frames: plan, warp, judge, blend, retrace, resolve.
 // Source: Myszkowski, Rokita, Tawara 1999, 2000; docs/method.md.
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct Settings {
   Method method = Method::kImageBased;
   double tolerancePercent = 3.0;  ///< of the remaining pixels with P > 0.75; above it a segment is split
   int keyframeSpacing = 16;       ///< frames of a first segment
+  /// Share of the warped samples of a segment's middle that are ray traced to check the warp, in [0, 1]; 0:
+  /// none.
+  double probeShare = 0.01;
+  std::uint64_t seed = 0;  ///< of which samples these are
   ToneMapping tone;
   DisplayModel display;
   ibr::WarpSettings warp;
@@ -60,7 +65,8 @@ struct Outputs {
 };
 
 /// Renders settings.frames of `path`. Memory does not grow with the number of frames. Throws InputError if
-/// the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside [0, 100]).
+/// the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside [0, 100],
+/// probes outside [0, 1]).
 [[nodiscard]] Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
                                            const Settings& settings, const Outputs& outputs);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "src/core/renderer.h"
 
@@ -16,11 +17,16 @@ inline constexpr ItemId kWall = 1;
 inline constexpr ItemId kPanel = 2;
 inline constexpr ItemId kColumn = 3;
 
-enum class Panel { kMatt, kMirrorLike };
+enum class Panel {
+  kMatt,
+  kMirrorLike,
+  kSheen,  ///< like kMirrorLike, but too rough to be declared view dependent
+};
 
 class AnalyticRenderer final : public Renderer {
  public:
-  explicit AnalyticRenderer(Panel panel) : panel_(panel) {}
+  /// `noise`: standard deviation of a sample's radiance relative to its mean.
+  explicit AnalyticRenderer(Panel panel, double noise = 0.0) : panel_(panel), noise_(noise) {}
 
   [[nodiscard]] Visibility visibility(const Camera& camera) const override {
     const Size size = camera.size();
@@ -34,13 +40,14 @@ class AnalyticRenderer final : public Renderer {
     return v;
   }
 
-  void retrace(Frame& frame, const Mask& mask, SampleSource source, int) const override {
+  void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const override {
     forEach(mask.size(), [&](int x, int y) {
       if (mask(x, y) == 0) return;
       const Camera& camera = frame.visibility.camera;
       const Hit hit = trace(camera, x, y);
-      frame.diffuse(x, y) = diffuse(hit);
-      frame.viewDependent(x, y) = viewDependent(hit, camera);
+      const float noisy = noiseOf(x, y, frameIndex);
+      frame.diffuse(x, y) = noisy * diffuse(hit);
+      frame.viewDependent(x, y) = noisy * viewDependent(hit, camera);
       frame.source(x, y) = source;
       ++shaded_;
     });
@@ -101,7 +108,17 @@ class AnalyticRenderer final : public Renderer {
     return Rgb(static_cast<float>(0.5 + 0.5 * std::sin(25.0 * mirrored.x / mirrored.z)));
   }
 
+  /// Exponentially distributed towards bright values, as the noise of path tracing is skewed.
+  [[nodiscard]] float noiseOf(int x, int y, int frameIndex) const {
+    if (noise_ == 0.0) return 1.0f;
+    std::seed_seq seed{x, y, frameIndex};
+    std::minstd_rand random(seed);
+    std::exponential_distribution<double> exponential;
+    return static_cast<float>(1.0 + noise_ * (exponential(random) - 1.0));
+  }
+
   Panel panel_;
+  double noise_;
   mutable std::atomic<std::uint64_t> shaded_{0};
 };
 

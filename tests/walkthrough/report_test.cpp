@@ -50,7 +50,9 @@ Report threeFrames() {
                             .decision = Decision::kAccept,
                             .differencePercent = 1.25,
                             .maskedPercent = 10.0,
-                            .unverifiedPercent = 0.5}};
+                            .unverifiedPercent = 0.5,
+                            .probes = 6,
+                            .probeDifferencePercent = 0.25}};
   r.statistics.seconds = {
       .trace = 4.0, .visibility = 0.1, .warp = 0.2, .metric = 0.3, .filter = 0.4, .output = 0.5};
   r.statistics.rays = {.visibility = 200, .primary = 420, .scattered = 1000, .shadow = 500};
@@ -80,9 +82,10 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["frames"], 3);
   EXPECT_EQ(totals["keyframes"], 2);
   EXPECT_EQ(totals["samples"], 600);
-  EXPECT_EQ(totals["samples_traced"], 420);
-  EXPECT_DOUBLE_EQ(totals["traced_fraction"].get<double>(), 0.7);  // 420 / 600, keyframes included
-  EXPECT_EQ(totals["rays"], 1920);                                 // without the visibility rays
+  EXPECT_EQ(totals["samples_traced"], 426);  // 420 of the frames, 6 probes
+  EXPECT_EQ(totals["samples_probed"], 6);
+  EXPECT_DOUBLE_EQ(totals["traced_fraction"].get<double>(), 0.71);  // 426 / 600
+  EXPECT_EQ(totals["rays"], 1920);                                  // without the visibility rays
   EXPECT_EQ(totals["visibility_rays"], 200);
   EXPECT_EQ(totals["seconds_wall"], 8.0);
   EXPECT_EQ(totals["peak_rss_bytes"], 1000000);
@@ -93,7 +96,7 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["seconds"]["trace"], 4.0);
   EXPECT_EQ(totals["seconds"]["write"], 0.3);
   EXPECT_EQ(root["segments"], json::parse(R"([{"first": 4, "last": 6, "middle": 5, "difference_percent": 1.25,
-      "masked_percent": 10.0, "unverified_percent": 0.5, "decision": "accept", "depth": 1}])"));
+      "masked_percent": 10.0, "unverified_percent": 0.5, "probes": 6, "probe_difference_percent": 0.25, "decision": "accept", "depth": 1}])"));
   EXPECT_EQ(root["frames"][1],
             json::parse(R"({"index": 5, "kind": "inbetween", "samples_traced": 20, "holes": 5,
       "items_traced": 15, "items": [3, 9], "warped": 180, "seconds": 0.5})"));

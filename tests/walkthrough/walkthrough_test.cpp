@@ -93,7 +93,11 @@ TEST(Walkthrough, OfAStillCameraTracesKeyframesOnlyAndChangesNothing) {
   EXPECT_EQ(result.order, upTo(33));
   // Keyframes at 0, 16, 32.
   EXPECT_EQ(result.statistics.keyframes(), 3);
-  EXPECT_DOUBLE_EQ(result.statistics.tracedFraction(), 3.0 / 33.0);
+  const std::uint64_t samplesOfAFrame = 64ull * 36 * 4;
+  EXPECT_EQ(result.statistics.samplesTraced(), 3 * samplesOfAFrame + result.statistics.probes());
+  // 1% of two middles.
+  EXPECT_NEAR(static_cast<double>(result.statistics.probes()), 0.02 * static_cast<double>(samplesOfAFrame),
+              60.0);
   for (const auto& [index, frame] : result.frames) {
     EXPECT_EQ(largestDifference(frame.radiance, result.frames.at(0).radiance), 0.0) << index;
   }

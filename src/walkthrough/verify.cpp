@@ -1,0 +1,188 @@
+#include "src/walkthrough/verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "ibr/blend.h"
+#include "ibr/source_surface.h"
+#include "src/core/resolve.h"
+#include "src/walkthrough/contrast_error.h"
+#include "src/walkthrough/inbetween.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+constexpr float kLessSure = 4.0f;
+constexpr float kStretched = 1.5f;
+constexpr float kGrazingCosine = 0.2f;
+
+Visibility clone(const Visibility& v) {
+  return {v.camera, v.depth.clone(), v.normal.clone(), v.item.clone()};
+}
+
+Mask either(const Mask& a, const Mask& b) {
+  Mask both = a.clone();
+  for (std::size_t i = 0; i < both.pixels().size(); ++i) both.pixels()[i] |= b.pixels()[i];
+  return both;
+}
+
+/// The middle without anything traced in it; what will be traced has the mean radiance of the rest.
+struct WarpedMiddle {
+  Frame frame;
+  Mask traced;
+};
+
+WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
+  ibr::Blended blended =
+      ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
+  const Retrace retrace =
+      selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, items, renderer);
+  return {std::move(blended.frame), either(retrace.holes, retrace.items)};
+}
+
+LuminanceMap seen(const WarpedMiddle& middle, const Settings& settings) {
+  RadianceMap radiance = combinedRadiance(middle.frame);
+  glm::dvec3 sum(0.0);
+  double count = 0.0;
+  for (std::size_t i = 0; i < radiance.pixels().size(); ++i) {
+    if (middle.traced.pixels()[i] != 0) continue;
+    sum += glm::dvec3(radiance.pixels()[i]);
+    count += 1.0;
+  }
+  const Rgb mean = count > 0.0 ? Rgb(sum / count) : Rgb(0.0f);
+  for (std::size_t i = 0; i < radiance.pixels().size(); ++i) {
+    if (middle.traced.pixels()[i] != 0) radiance.pixels()[i] = mean;
+  }
+  return displayLuminance(encodeForDisplay(resolveRadiance(radiance, settings.supersample), settings.tone),
+                          settings.display);
+}
+
+/// What the display makes of single samples, cd/m2.
+LuminanceMap luminanceAt(const Frame& frame, const std::vector<Probe>& probes, const Settings& settings) {
+  RadianceMap radiance(static_cast<int>(probes.size()), 1);
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const auto [x, y, area] = probes[i];
+    radiance.pixels()[i] = frame.diffuse(x, y) + frame.viewDependent(x, y);
+  }
+  return displayLuminance(encodeForDisplay(radiance, settings.tone), settings.display);
+}
+
+std::vector<ProbeError> traceProbes(Frame& warped, const std::vector<Probe>& probes, int frameIndex,
+                                    const Renderer& renderer, const Settings& settings) {
+  const LuminanceMap before = luminanceAt(warped, probes, settings);
+  const Size size = warped.diffuse.size();
+  Mask mask(size);
+  for (const Probe& probe : probes) mask(probe.x, probe.y) = 1;
+  Frame traced{std::move(warped.visibility), RadianceMap(size), RadianceMap(size), SourceMap(size)};
+  renderer.retrace(traced, mask, SampleSource::kTraced, frameIndex);
+  const LuminanceMap truth = luminanceAt(traced, probes, settings);
+  warped.visibility = std::move(traced.visibility);
+
+  std::vector<ProbeError> errors;
+  const auto factor = static_cast<float>(settings.supersample);
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const auto [x, y, area] = probes[i];
+    errors.push_back(
+        {(glm::vec2(x, y) + 0.5f) / factor, std::log(truth.pixels()[i] / before.pixels()[i]), area});
+  }
+  return errors;
+}
+
+/// Drops what lies on samples that are traced anyway.
+std::vector<ProbeError> remaining(const std::vector<ProbeError>& errors, const std::vector<Probe>& probes,
+                                  const Mask& traced) {
+  std::vector<ProbeError> rest;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (traced(probes[i].x, probes[i].y) == 0) rest.push_back(errors[i]);
+  }
+  return rest;
+}
+
+aqm::Result compare(const LuminanceMap& warped, const ContrastErrorMap& errors, const Mask& excluded,
+                    const VelocityMap& velocity, const Settings& settings) {
+  LuminanceMap corrected = warped.clone();
+  for (std::size_t i = 0; i < corrected.pixels().size(); ++i) {
+    if (excluded.pixels()[i] == 0) corrected.pixels()[i] *= std::exp(errors.pixels()[i]);
+  }
+  return aqm::compare(corrected, warped, velocity, aqm::Settings{settings.display.pixelsPerDegree()});
+}
+
+ItemVerdict fail(const ItemVerdict& verdict, const ItemSet& caught) {
+  std::vector<ItemId> failing = verdict.failing.items();
+  failing.insert(failing.end(), caught.items().begin(), caught.items().end());
+  std::vector<ItemId> proven = verdict.proven.items();
+  std::erase_if(proven, [&](ItemId item) { return caught.contains(item); });
+  return {ItemSet(std::move(failing)), ItemSet(std::move(proven))};
+}
+
+}  // namespace
+
+ProbeWeights probeWeights(const WarpedPair& warped, const Mask& traced) {
+  const Visibility& target = warped.target;
+  const ibr::RayBasis rays(target.camera);
+  ProbeWeights weights(target.depth.size());
+  const auto isValid = [](const ibr::Warped& source, int x, int y) {
+    return source.validity(x, y) == ibr::Validity::kValid;
+  };
+  for (int y = 0; y < weights.height(); ++y) {
+    for (int x = 0; x < weights.width(); ++x) {
+      if (traced(x, y) != 0) continue;
+      const bool both = isValid(warped.fromFirst, x, y) && isValid(warped.fromLast, x, y);
+      const bool stretched =
+          std::min(warped.fromFirst.footprint(x, y), warped.fromLast.footprint(x, y)) > kStretched;
+      const bool grazing =
+          target.item(x, y) != kNoItem &&
+          std::abs(glm::dot(target.normal(x, y), glm::normalize(rays.through(x, y)))) < kGrazingCosine;
+      weights(x, y) = !both || stretched || grazing ? kLessSure : 1.0f;
+    }
+  }
+  return weights;
+}
+
+Verification verifyMiddle(const Middle& middle, const Renderer& renderer, const Settings& settings,
+                          PartSeconds& seconds) {
+  Verification verification{middle.items, 0, 0.0, Decision::kAccept};
+  const Size size = settings.size;
+  WarpedMiddle warped;
+  std::vector<Probe> probes;
+  {
+    const Stopwatch watch(seconds.warp);
+    warped = warpedMiddle(middle, middle.items, renderer);
+    // Of frames a different set each, so that no place is overlooked for good.
+    const auto seed = settings.seed + static_cast<std::uint64_t>(middle.frameIndex);
+    probes = chooseProbes(probeWeights(middle.warped, warped.traced), settings.probeShare, seed);
+  }
+  if (probes.empty()) return verification;
+  verification.probes = probes.size();
+  std::vector<ProbeError> errors;
+  {
+    const Stopwatch watch(seconds.trace);
+    errors = traceProbes(warped.frame, probes, middle.frameIndex, renderer, settings);
+  }
+  const Stopwatch watch(seconds.metric);
+  const double spacing = 1.0 / (std::sqrt(settings.probeShare) * settings.supersample);
+  Mask excluded;
+  const auto look = [&] {
+    excluded = resolveMask(warped.traced, settings.supersample);
+    return compare(seen(warped, settings),
+                   contrastErrors(size, remaining(errors, probes, warped.traced), spacing), excluded,
+                   middle.velocity, settings);
+  };
+  aqm::Result result = look();
+  const ItemBuffer item = resolveVisibility(warped.frame.visibility, settings.supersample).item;
+  const ItemVerdict caught =
+      judgeItems(result.probability, item, excluded, Mask(size), renderer, settings.tolerancePercent);
+  if (!caught.failing.empty()) {
+    verification.items = fail(middle.items, caught.failing);
+    warped = warpedMiddle(middle, verification.items, renderer);
+    result = look();
+  }
+  verification.differencePercent = aqm::percentVisible(result.probability, excluded);
+  if (verification.differencePercent > settings.tolerancePercent) verification.decision = Decision::kSplit;
+  return verification;
+}
+
+}  // namespace promenade::walkthrough
