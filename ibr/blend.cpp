@@ -3,7 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
@@ -22,18 +24,8 @@ double quality(float footprint, double limit) {
   return atLimit < 1.0 ? std::max(0.0, (density - atLimit) / (1.0 - atLimit)) : 1.0;
 }
 
-/// Of two samples that see one surface.
-float weightOfNext(double previousQuality, double nextQuality, double t) {
-  const double previous = (1.0 - t) * previousQuality;
-  const double next = t * nextQuality;
-  const double sum = previous + next;
-  return static_cast<float>(sum > 0.0 ? next / sum : t);
-}
-
 Rgb mix(const Rgb& previous, const Rgb& next, float weight) {
-  if (weight == 0.0f) return previous;
-  if (weight == 1.0f) return next;
-  return previous + weight * (next - previous);
+  return weight == 1.0f ? next : previous + weight * (next - previous);
 }
 
 class DepthAgreement {
@@ -58,6 +50,82 @@ class DepthAgreement {
   float halfSample_;
 };
 
+struct Mean {
+  Rgb diffuse{0.0f};
+  Rgb viewDependent{0.0f};
+  SampleSource source = SampleSource::kBlended;
+};
+
+/// The sources that count at one sample.
+class Counting {
+ public:
+  Counting(std::span<const BlendSource> sources, const DepthAgreement& sameDepth, double time, int x, int y)
+      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y) {
+    for (const BlendSource& source : sources_) {
+      if (source.warped->validity(x, y) != Validity::kValid) continue;
+      if (source.time == time) exact_ = &source;
+      const float depth = source.warped->depth(x, y);
+      if (isNone_ || depth < nearest_) nearest_ = depth;
+      isNone_ = false;
+    }
+  }
+  [[nodiscard]] bool none() const { return isNone_; }
+
+  /// Precondition: not none().
+  [[nodiscard]] Mean mean() const {
+    if (exact_ != nullptr) {
+      const Warped& warped = *exact_->warped;
+      return {
+          warped.diffuse(x_, y_), warped.viewDependent(x_, y_),
+          exact_ == &sources_.front() ? SampleSource::kWarpedFromPrevious : SampleSource::kWarpedFromNext};
+    }
+    const auto qualityOf = [&](const Warped& warped) {
+      return quality(warped.footprint(x_, y_), warped.footprintLimit);
+    };
+    const auto [mean, weight] = weighted(qualityOf);
+    // All at their limit: none is better.
+    return weight > 0.0 ? mean : weighted([](const Warped&) { return 1.0; }).mean;
+  }
+
+ private:
+  struct Weighted {
+    Mean mean;
+    double weight = 0.0;
+  };
+  template <class QualityOf>
+  [[nodiscard]] Weighted weighted(const QualityOf& qualityOf) const {
+    Weighted sum;
+    bool earlier = false;
+    bool later = false;
+    for (const BlendSource& source : sources_) {
+      const Warped& warped = *source.warped;
+      if (warped.validity(x_, y_) != Validity::kValid) continue;
+      if (!sameDepth_(x_, y_, nearest_, warped.depth(x_, y_))) continue;
+      const double weight = qualityOf(warped) / std::abs(time_ - source.time);
+      if (!(weight > 0.0)) continue;
+      sum.weight += weight;
+      (source.time < time_ ? earlier : later) = true;
+      // One after the other: sources that agree to the bit give that value to the bit.
+      const auto part = static_cast<float>(weight / sum.weight);
+      sum.mean.diffuse = mix(sum.mean.diffuse, warped.diffuse(x_, y_), part);
+      sum.mean.viewDependent = mix(sum.mean.viewDependent, warped.viewDependent(x_, y_), part);
+    }
+    sum.mean.source = earlier && later ? SampleSource::kBlended
+                      : earlier        ? SampleSource::kWarpedFromPrevious
+                                       : SampleSource::kWarpedFromNext;
+    return sum;
+  }
+
+  std::span<const BlendSource> sources_;
+  const DepthAgreement& sameDepth_;
+  double time_;
+  int x_;
+  int y_;
+  const BlendSource* exact_ = nullptr;  ///< that of this very time
+  float nearest_ = 0.0f;                ///< depth
+  bool isNone_ = true;
+};
+
 void require(bool good, const char* expected) {
   if (!good) throw InputError("blend", std::string("expected ") + expected);
 }
@@ -69,57 +137,38 @@ bool hasSize(const Warped& warped, Size size) {
 
 }  // namespace
 
-Blended blend(const Warped& previous, const Warped& next, Visibility target, double t) {
+Blended blend(std::span<const BlendSource> sources, Visibility target, double time) {
   const Size size = target.camera.size();
-  require(hasSize(previous, size) && hasSize(next, size) && target.normal.size() == size,
-          "two warped frames of the target's size");
-  require(t >= 0.0 && t <= 1.0, "t within 0 and 1");
+  require(!sources.empty() && target.normal.size() == size, "a source and a target with all its maps");
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    require(hasSize(*sources[i].warped, size), "warped frames of the target's size");
+    require(i == 0 || sources[i - 1].time < sources[i].time, "sources in the order of time");
+  }
+  require(time >= sources.front().time && time <= sources.back().time, "a time between those of the sources");
 
   Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)}, Mask(size)};
-  Frame& frame = blended.frame;
   const DepthAgreement sameDepth(target);
-  const auto weight = [&](int x, int y) {
-    if (next.validity(x, y) != Validity::kValid) return 0.0f;
-    if (previous.validity(x, y) != Validity::kValid) return 1.0f;
-    if (t == 0.0 || t == 1.0) return static_cast<float>(t);
-    const float before = previous.depth(x, y);
-    const float after = next.depth(x, y);
-    if (!sameDepth(x, y, before, after)) return before < after ? 0.0f : 1.0f;
-    return weightOfNext(quality(previous.footprint(x, y), previous.footprintLimit),
-                        quality(next.footprint(x, y), next.footprintLimit), t);
-  };
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
-      if (previous.validity(x, y) != Validity::kValid && next.validity(x, y) != Validity::kValid) {
+      const Counting counting(sources, sameDepth, time, x, y);
+      if (counting.none()) {
         blended.holes(x, y) = 1;
-        frame.source(x, y) = SampleSource::kBlended;  // anything but traced, until it is
+        blended.frame.source(x, y) = SampleSource::kBlended;  // anything but traced, until it is
         continue;
       }
-      const float w = weight(x, y);
-      frame.diffuse(x, y) = mix(previous.diffuse(x, y), next.diffuse(x, y), w);
-      frame.viewDependent(x, y) = mix(previous.viewDependent(x, y), next.viewDependent(x, y), w);
-      frame.source(x, y) = w == 0.0f   ? SampleSource::kWarpedFromPrevious
-                           : w == 1.0f ? SampleSource::kWarpedFromNext
-                                       : SampleSource::kBlended;
+      const Mean mean = counting.mean();
+      blended.frame.diffuse(x, y) = mean.diffuse;
+      blended.frame.viewDependent(x, y) = mean.viewDependent;
+      blended.frame.source(x, y) = mean.source;
     }
   });
-  frame.visibility = std::move(target);
+  blended.frame.visibility = std::move(target);
   return blended;
 }
 
-Blended fillHoles(Blended blended, const Warped& more, SampleSource source) {
-  const Size size = blended.holes.size();
-  require(hasSize(more, size), "a warped frame of the blended frame's size");
-  tbb::parallel_for(0, size.height, [&](int y) {
-    for (int x = 0; x < size.width; ++x) {
-      if (blended.holes(x, y) == 0 || more.validity(x, y) != Validity::kValid) continue;
-      blended.frame.diffuse(x, y) = more.diffuse(x, y);
-      blended.frame.viewDependent(x, y) = more.viewDependent(x, y);
-      blended.frame.source(x, y) = source;
-      blended.holes(x, y) = 0;
-    }
-  });
-  return blended;
+Blended blend(const Warped& previous, const Warped& next, Visibility target, double t) {
+  const std::array<BlendSource, 2> sources{{{&previous, 0.0}, {&next, 1.0}}};
+  return blend(sources, std::move(target), t);
 }
 
 }  // namespace promenade::ibr

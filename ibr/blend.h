@@ -1,5 +1,7 @@
 #pragma once
-// Depth-correct blending of two warped sources, and the holes that are left.
+// Depth-correct blending of warped sources, and the holes that are left.
+
+#include <span>
 
 #include "ibr/warp.h"
 
@@ -10,17 +12,24 @@ struct Blended {
   Mask holes;   ///< no valid source: to be ray traced
 };
 
-/// `t` in [0, 1]: 0 at the frame of `previous`, 1 at that of `next`. Where both are valid the weights are
-/// (1 - t) and t times sampling quality (the finer footprint counts more; it falls to 0 as the footprint
-/// nears its limit, so that no weight jumps when the sample stops being valid), continuous in t, exactly 1
-/// and 0 at the ends: there the result is the warped keyframe bit for bit. Where the two disagree in depth by
-/// more than the tolerance (half a sample of the target across the line of sight) the nearer one wins. Throws
-/// InputError if the maps differ in size or t is outside [0, 1].
-[[nodiscard]] Blended blend(const Warped& previous, const Warped& next, Visibility target, double t);
+/// A warped frame and when its samples were ray traced, in any unit of time.
+struct BlendSource {
+  const Warped* warped = nullptr;
+  double time = 0.0;
+};
 
-/// Fills holes that are still open from one more source, e.g. the ray-traced samples of an inbetween that was
-/// finished before. `source` says which (kWarpedFromPrevious or kWarpedFromNext). Samples that are no holes
-/// stay as they are.
-[[nodiscard]] Blended fillHoles(Blended blended, const Warped& more, SampleSource source);
+/// What the target sees at `time`. Where a source is valid it counts with its sampling quality (the finer
+/// footprint counts more; it falls to 0 as the footprint nears its limit, so that no weight jumps when the
+/// sample stops being valid) over its distance in time: inverse distance weighting (Shepard 1968), which for
+/// two sources is the linear weight of both. Weights are continuous in time, and at the time of a source
+/// exactly 1 for it where it is valid: there the result is that source bit for bit. Sources behind the
+/// nearest surface that a valid source shows, by more than the tolerance (half a sample of the target across
+/// the line of sight), do not count. `source` of the result: kWarpedFromPrevious or kWarpedFromNext where
+/// only earlier or only later sources count, else kBlended. Throws InputError if there is no source, if the
+/// maps differ in size, or if times do not increase or `time` is not between the first and the last of them.
+[[nodiscard]] Blended blend(std::span<const BlendSource> sources, Visibility target, double time);
+
+/// The same for two keyframes: `t` in [0, 1], 0 at the frame of `previous`, 1 at that of `next`.
+[[nodiscard]] Blended blend(const Warped& previous, const Warped& next, Visibility target, double t);
 
 }  // namespace promenade::ibr

@@ -13,6 +13,28 @@ std::uint64_t countSelected(const Mask& mask) {
       std::count_if(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; }));
 }
 
+std::vector<ibr::BlendSource> inTheOrderOfTime(const InbetweenSources& sources, const Segment& segment) {
+  std::vector<ibr::BlendSource> ordered{{&sources.keyframes.fromFirst, double(segment.first)},
+                                        {&sources.keyframes.fromLast, double(segment.last)}};
+  for (const WarpedInbetween& other : sources.others) {
+    ordered.push_back({&other.warped, double(other.frameIndex)});
+  }
+  std::sort(ordered.begin(), ordered.end(),
+            [](const ibr::BlendSource& a, const ibr::BlendSource& b) { return a.time < b.time; });
+  return ordered;
+}
+
+/// Samples that no keyframe fills, but another inbetween did.
+std::uint64_t countReused(const WarpedPair& keyframes, const Mask& holes) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < holes.pixels().size(); ++i) {
+    const bool byKeyframe = keyframes.fromFirst.validity.pixels()[i] == ibr::Validity::kValid ||
+                            keyframes.fromLast.validity.pixels()[i] == ibr::Validity::kValid;
+    if (!byKeyframe && holes.pixels()[i] == 0) ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
@@ -45,15 +67,29 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
   return retrace;
 }
 
-Inbetween synthesise(WarpedPair&& warped, double t, int frameIndex, const ItemVerdict& verdict,
-                     const Renderer& renderer, PartSeconds& seconds) {
+Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer) {
+  Mask shared(item.size());
+  std::unordered_map<ItemId, bool> known;
+  for (std::size_t i = 0; i < item.pixels().size(); ++i) {
+    const auto [entry, isNew] = known.try_emplace(item.pixels()[i]);
+    if (isNew) entry->second = !renderer.traits(entry->first).viewDependent;
+    shared.pixels()[i] = entry->second ? 1 : 0;
+  }
+  return shared;
+}
+
+Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
+                     const ItemVerdict& verdict, const Renderer& renderer, PartSeconds& seconds) {
   ibr::Blended blended;
   Retrace retrace;
+  std::uint64_t reused = 0;
   {
     const Stopwatch watch(seconds.warp);
-    blended = ibr::blend(warped.fromFirst, warped.fromLast, std::move(warped.target), t);
+    WarpedPair& keyframes = sources.keyframes;
+    blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
     retrace =
         selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, verdict, renderer);
+    reused = countReused(keyframes, blended.holes);
   }
   {
     const Stopwatch watch(seconds.trace);
@@ -69,6 +105,7 @@ Inbetween synthesise(WarpedPair&& warped, double t, int frameIndex, const ItemVe
   statistics.itemSamples = countSelected(retrace.items);
   statistics.samplesTraced = statistics.holes + statistics.itemSamples;
   statistics.warped = statistics.samples - statistics.samplesTraced;
+  statistics.reused = reused;
   statistics.itemsTraced = retrace.traced.items();
   return inbetween;
 }

@@ -1,5 +1,8 @@
 #pragma once
-// One inbetween: warped from the two keyframes of its segment, blended, and what is left traced.
+// One inbetween: warped from what was traced of its segment before (its two keyframes and samples of other
+// inbetweens), blended, and what is left traced.
+
+#include <vector>
 
 #include "src/walkthrough/judge.h"
 
@@ -7,7 +10,7 @@ namespace promenade::walkthrough {
 
 /// What of an inbetween is ray traced.
 struct Retrace {
-  Mask holes;  ///< no keyframe fills the sample
+  Mask holes;  ///< no source fills the sample
   Mask items;  ///< the sample belongs to an item whose warped look a viewer could tell; disjoint from holes
   ItemSet traced;
 };
@@ -23,9 +26,25 @@ struct Inbetween {
   FrameStatistics statistics;  ///< without seconds
 };
 
-/// `t` in (0, 1): the place of the frame between its keyframes. `seconds` is the running account of the whole
-/// walk.
-[[nodiscard]] Inbetween synthesise(WarpedPair&& warped, double t, int frameIndex, const ItemVerdict& verdict,
-                                   const Renderer& renderer, PartSeconds& seconds);
+/// The traced samples of another inbetween of the segment, as seen from this one.
+struct WarpedInbetween {
+  int frameIndex = 0;
+  ibr::Warped warped;
+};
+
+/// The samples that may come from other inbetweens: of items that look the same from everywhere. (Others are
+/// traced, or were proven as a blend of both keyframes.)
+[[nodiscard]] Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer);
+
+/// All that an inbetween is warped from. Nothing in it was warped itself.
+struct InbetweenSources {
+  WarpedPair keyframes;
+  std::vector<WarpedInbetween> others;
+};
+
+/// Frame `frameIndex` of `segment`. `seconds` is the running account of the whole walk.
+[[nodiscard]] Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
+                                   const ItemVerdict& verdict, const Renderer& renderer,
+                                   PartSeconds& seconds);
 
 }  // namespace promenade::walkthrough

@@ -86,6 +86,7 @@ std::string reportJson(const Report& report) {
                       {"items_traced", f.itemSamples},
                       {"items", f.itemsTraced},
                       {"warped", f.warped},
+                      {"reused", f.reused},
                       {"seconds", f.seconds}});
   }
   Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};

@@ -17,10 +17,11 @@ struct FrameStatistics {
   FrameKind kind = FrameKind::kKeyframe;
   std::uint64_t samples = 0;
   std::uint64_t samplesTraced = 0;  ///< fully shaded; a sample shaded twice counts twice
-  std::uint64_t holes = 0;          ///< samples that no keyframe could fill (traced)
+  std::uint64_t holes = 0;          ///< samples that nothing traced before could fill (traced)
   std::uint64_t itemSamples = 0;    ///< samples of items whose warped look a viewer could tell (traced)
   std::vector<ItemId> itemsTraced;  ///< those items, sorted
-  std::uint64_t warped = 0;         ///< samples taken from keyframes
+  std::uint64_t warped = 0;         ///< samples taken from keyframes and other inbetweens
+  std::uint64_t reused = 0;         ///< of these, samples that no keyframe could fill
   double seconds = 0.0;
 };
 

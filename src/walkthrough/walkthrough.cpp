@@ -153,7 +153,7 @@ class Walk {
   void finish(const Segment& segment) {
     keyframe(segment.first);
     finishKeyframe(segment.first);
-    for (int index = segment.first + 1; index < segment.last; ++index) finishInbetween(index, segment);
+    finishBetween(segment, segment.first, segment.last, {});
     keyframe(segment.last);
     finishKeyframe(segment.last);
     // Nothing before the segment's end is a source of anything that is still to come.
@@ -161,13 +161,37 @@ class Walk {
     middle_ = {};
   }
 
-  void finishInbetween(int index, const Segment& segment) {
+  /// The middle first, so that what was traced of it serves both halves. Frames leave in the order of time
+  /// all the same: at any time only the middles around the current frame are held.
+  void finishBetween(const Segment& segment, int first, int last,
+                     const std::vector<const Inbetween*>& sources) {
+    if (last - first < 2) return;
+    const int middle = first + (last - first) / 2;
+    const Inbetween made = makeInbetween(middle, segment, sources);
+    std::vector<const Inbetween*> more = sources;
+    if (made.statistics.holes > 0) more.push_back(&made);
+    finishBetween(segment, first, middle, more);
+    output(middle, made.frame, made.statistics);
+    finishBetween(segment, middle, last, more);
+  }
+
+  Inbetween makeInbetween(int index, const Segment& segment, const std::vector<const Inbetween*>& others) {
     const auto start = std::chrono::steady_clock::now();
-    WarpedPair pair = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
-    Inbetween made = synthesise(std::move(pair), placeOf(index, segment), index, middle_.verdict, renderer_,
-                                statistics_.seconds);
+    InbetweenSources sources;
+    sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
+    {
+      const Stopwatch watch(statistics_.seconds.warp);
+      const Visibility& target = sources.keyframes.target;
+      const Mask shared = sharedAmongInbetweens(target.item, renderer_);
+      for (const Inbetween* other : others) {
+        sources.others.push_back(
+            {other->statistics.index, ibr::gatherWarp(other->frame, target, shared, settings_.warp)});
+      }
+    }
+    Inbetween made =
+        synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, statistics_.seconds);
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    output(index, made.frame, std::move(made.statistics));
+    return made;
   }
 
   void finishKeyframe(int index) {
@@ -220,15 +244,16 @@ Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& rend
 
 double memoryNeededBytes(const Settings& settings) {
   // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
-  // of splits, the middle's and an inbetween's visibility and two warps each, the blended frame. A display
+  // of splits and the inbetweens around the current frame, as many together as the spacing can be halved; as
+  // many warps; the middle's and an inbetween's visibility and two warps each, the blended frame. A display
   // pixel takes at most 1 kB in the metric and the maps around it.
   const double samples =
       static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
-  const double keyframes =
-      settings.method == Method::kFull ? 1.0 : 3.0 + std::ceil(std::log2(settings.keyframeSpacing));
+  const double halvings = std::ceil(std::log2(settings.keyframeSpacing));
+  const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + 2.0 * halvings;
   const double others = settings.method == Method::kFull ? 1.0 : 8.0;
   const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
-  return samples * 45.0 * (keyframes + others) + static_cast<double>(settings.size.area()) * metric;
+  return samples * 45.0 * (frames + others) + static_cast<double>(settings.size.area()) * metric;
 }
 
 }  // namespace promenade::walkthrough

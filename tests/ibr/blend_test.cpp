@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -185,19 +186,62 @@ TEST(Blend, LeavesFewHolesBetweenTwoKeyframesAndComesCloseToTheTruth) {
   EXPECT_GT(psnr(middle.frame.diffuse, truth.diffuse, counts), 55.0);
 }
 
-TEST(FillHoles, FillsOnlyWhatIsOpenAndWhatTheSourceHas) {
-  const Size size{3, 1};
-  Warped nothing = constant(size, 0.0f, 4.0f, 1.0f, Validity::kOccluded);
-  nothing.validity(0, 0) = Validity::kValid;
-  Warped more = constant(size, 0.7f, 4.0f, 1.0f);
-  more.validity(2, 0) = Validity::kNotTraced;
-  const Blended filled =
-      fillHoles(blend(nothing, nothing, wall(size, 4.0f), 0.5), more, SampleSource::kWarpedFromNext);
-  EXPECT_EQ(filled.frame.diffuse(0, 0), Rgb(0.0f));
-  EXPECT_EQ(filled.frame.diffuse(1, 0), Rgb(0.7f));
-  EXPECT_EQ(filled.frame.source(1, 0), SampleSource::kWarpedFromNext);
-  EXPECT_EQ(filled.holes(1, 0), 0);
-  EXPECT_NE(filled.holes(2, 0), 0);
+/// Radiance at `time` of keyframes with 0 at times 0 and 4 and another source with 1 at time 2.
+float amongThree(double time, float footprintOfTheOther, Validity validityOfTheOther = Validity::kValid) {
+  const Size size{1, 1};
+  const Warped first = constant(size, 0.0f, 4.0f, 1.0f);
+  const Warped other = constant(size, 1.0f, 4.0f, footprintOfTheOther, validityOfTheOther);
+  const Warped last = constant(size, 0.0f, 4.0f, 1.0f);
+  const std::array<BlendSource, 3> sources{{{&first, 0.0}, {&other, 2.0}, {&last, 4.0}}};
+  return blend(sources, wall(size, 4.0f), time).frame.diffuse(0, 0).r;
+}
+
+TEST(Blend, OfManySourcesWeighsByTheInverseDistanceInTime) {
+  // 1/1, 1/1, 1/3.
+  EXPECT_FLOAT_EQ(amongThree(1.0, 1.0f), 3.0f / 7.0f);
+  EXPECT_EQ(amongThree(0.0, 1.0f), 0.0f);
+  EXPECT_EQ(amongThree(2.0, 1.0f), 1.0f);
+  EXPECT_EQ(amongThree(4.0, 1.0f), 0.0f);
+}
+
+TEST(Blend, OfManySourcesHasWeightsThatAreContinuousInTime) {
+  // 1 / (1 + |t - 2| (1/t + 1/(4 - t))): at t = 2 the slope is 1, nowhere more.
+  float before = amongThree(0.0, 1.0f);
+  for (int i = 1; i <= 1000; ++i) {
+    const float now = amongThree(i * 0.004, 1.0f);
+    EXPECT_LT(std::abs(now - before), 0.005f) << i;
+    before = now;
+  }
+}
+
+TEST(Blend, OfManySourcesLosesOneWithoutAJump) {
+  // As its footprint nears the limit of 2.5 it fades to what is there without it.
+  EXPECT_NEAR(amongThree(1.0, 2.4999f), amongThree(1.0, 2.5001f, Validity::kUndersampled), 1e-3f);
+  EXPECT_EQ(amongThree(1.0, 2.5001f, Validity::kUndersampled), 0.0f);
+}
+
+TEST(Blend, OfManySourcesSaysWhetherTheyWereEarlierOrLater) {
+  const Size size{1, 1};
+  const auto sourceWith = [&](Validity first, Validity other, Validity last) {
+    const Warped a = constant(size, 0.1f, 4.0f, 1.0f, first);
+    const Warped b = constant(size, 0.1f, 4.0f, 1.0f, other);
+    const Warped c = constant(size, 0.1f, 4.0f, 1.0f, last);
+    const std::array<BlendSource, 3> sources{{{&a, 0.0}, {&b, 1.0}, {&c, 2.0}}};
+    return blend(sources, wall(size, 4.0f), 1.5).frame.source(0, 0);
+  };
+  constexpr Validity kNo = Validity::kOccluded;
+  constexpr Validity kYes = Validity::kValid;
+  EXPECT_EQ(sourceWith(kNo, kYes, kNo), SampleSource::kWarpedFromPrevious);
+  EXPECT_EQ(sourceWith(kYes, kYes, kNo), SampleSource::kWarpedFromPrevious);
+  EXPECT_EQ(sourceWith(kNo, kNo, kYes), SampleSource::kWarpedFromNext);
+  EXPECT_EQ(sourceWith(kNo, kYes, kYes), SampleSource::kBlended);
+}
+
+TEST(Blend, OfManySourcesThatAgreeIsTheirValueToTheBit) {
+  const Size size{1, 1};
+  const Warped warped = constant(size, 0.3f, 4.0f, 1.7f);
+  const std::array<BlendSource, 4> sources{{{&warped, 0.0}, {&warped, 1.0}, {&warped, 4.0}, {&warped, 5.0}}};
+  EXPECT_EQ(blend(sources, wall(size, 4.0f), 1.7).frame.diffuse(0, 0), Rgb(0.3f));
 }
 
 TEST(Blend, RejectsWhatDoesNotFit) {
@@ -207,6 +251,9 @@ TEST(Blend, RejectsWhatDoesNotFit) {
   EXPECT_THROW((void)blend(good, good, wall({5, 3}, 4.0f), 0.5), InputError);
   EXPECT_THROW((void)blend(good, good, wall(size, 4.0f), -0.1), InputError);
   EXPECT_THROW((void)blend(good, good, wall(size, 4.0f), std::nan("")), InputError);
+  EXPECT_THROW((void)blend({}, wall(size, 4.0f), 0.0), InputError);
+  const std::array<BlendSource, 2> backwards{{{&good, 1.0}, {&good, 0.0}}};
+  EXPECT_THROW((void)blend(backwards, wall(size, 4.0f), 0.5), InputError);
 }
 
 }  // namespace

@@ -58,5 +58,14 @@ TEST_F(SelectRetrace, NeverTracesItemsThatLookTheSameFromEverywhere) {
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
 }
 
+TEST(SharedAmongInbetweens, IsWhatLooksTheSameFromEverywhere) {
+  ItemBuffer item(3, 1, kWall);
+  item(1, 0) = kPanel;
+  item(2, 0) = kNoItem;
+  EXPECT_THAT(sharedAmongInbetweens(item, AnalyticRenderer{Panel::kMirrorLike}).pixels(),
+              ElementsAre(1, 0, 1));
+  EXPECT_THAT(sharedAmongInbetweens(item, AnalyticRenderer{Panel::kMatt}).pixels(), ElementsAre(1, 1, 1));
+}
+
 }  // namespace
 }  // namespace promenade::walkthrough
