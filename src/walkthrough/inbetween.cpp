@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "ibr/blend.h"
+#include "src/walkthrough/retrace_items.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -79,7 +80,8 @@ Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer) {
 }
 
 Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
-                     const ItemVerdict& verdict, const Renderer& renderer, PartSeconds& seconds) {
+                     const ItemVerdict& verdict, const Renderer& renderer, int supersample,
+                     PartSeconds& seconds) {
   ibr::Blended blended;
   Retrace retrace;
   std::uint64_t reused = 0;
@@ -91,18 +93,21 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
         selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, verdict, renderer);
     reused = countReused(keyframes, blended.holes);
   }
+  RetracedItems items;
   {
     const Stopwatch watch(seconds.trace);
     renderer.retrace(blended.frame, retrace.holes, SampleSource::kTracedHole, frameIndex);
-    renderer.retrace(blended.frame, retrace.items, SampleSource::kTracedItem, frameIndex);
+    items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, supersample, frameIndex,
+                         renderer);
   }
-  Inbetween inbetween{std::move(blended.frame), {}};
+  Inbetween inbetween{std::move(items.frame), {}};
   FrameStatistics& statistics = inbetween.statistics;
   statistics.index = frameIndex;
   statistics.kind = FrameKind::kInbetween;
   statistics.samples = inbetween.frame.diffuse.size().area();
   statistics.holes = countSelected(retrace.holes);
-  statistics.itemSamples = countSelected(retrace.items);
+  statistics.itemSamples = countSelected(items.traced);
+  statistics.layered = countSelected(retrace.items) - statistics.itemSamples;
   statistics.samplesTraced = statistics.holes + statistics.itemSamples;
   statistics.warped = statistics.samples - statistics.samplesTraced;
   statistics.reused = reused;

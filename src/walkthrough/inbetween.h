@@ -44,7 +44,7 @@ struct InbetweenSources {
 
 /// Frame `frameIndex` of `segment`. `seconds` is the running account of the whole walk.
 [[nodiscard]] Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
-                                   const ItemVerdict& verdict, const Renderer& renderer,
+                                   const ItemVerdict& verdict, const Renderer& renderer, int supersample,
                                    PartSeconds& seconds);
 
 }  // namespace promenade::walkthrough

@@ -79,6 +79,17 @@ ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced) {
   return pair;
 }
 
+ComparedPair diffuseCompared(ComparedPair pair, const WarpedPair& warped, const ItemSet& items) {
+  for (int y = 0; y < pair.excluded.height(); ++y) {
+    for (int x = 0; x < pair.excluded.width(); ++x) {
+      if (pair.excluded(x, y) != 0 || pair.unverified(x, y) != 0) continue;
+      if (!items.contains(warped.target.item(x, y))) continue;
+      pair.fromLast(x, y) = warped.fromLast.diffuse(x, y) + warped.fromFirst.viewDependent(x, y);
+    }
+  }
+  return pair;
+}
+
 Mask resolveMask(const Mask& samples, int factor) {
   Mask pixels(samples.width() / factor, samples.height() / factor);
   for (int y = 0; y < pixels.height(); ++y) {
@@ -129,11 +140,17 @@ Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const Ve
   ComparedPair pair = comparedPair(warped, ItemSet());
   Look look = compareAsSeen(pair, velocity, settings);
 
+  const ItemBuffer item = resolveVisibility(warped.target, factor).item;
+  const auto judged = [&] {
+    return judgeItems(look.metric.probability, item, resolveMask(pair.excluded, factor),
+                      resolveMask(pair.unverified, factor), renderer, settings.tolerancePercent);
+  };
   Judgement judgement;
-  judgement.items = judgeItems(look.metric.probability, resolveVisibility(warped.target, factor).item,
-                               resolveMask(pair.excluded, factor), resolveMask(pair.unverified, factor),
-                               renderer, settings.tolerancePercent);
+  judgement.items = judged();
   if (!judgement.items.failing.empty()) {
+    pair = diffuseCompared(std::move(pair), warped, judgement.items.failing);
+    look = compareAsSeen(pair, velocity, settings);
+    judgement.items.matt = judged().failing;
     // A mask laid over the finished map would let the failing items speak through filters and pooling.
     pair = comparedPair(warped, judgement.items.failing);
     look = compareAsSeen(pair, velocity, settings);

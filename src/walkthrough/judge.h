@@ -32,14 +32,19 @@ struct ComparedPair {
 /// images.
 [[nodiscard]] ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced);
 
+/// The same with the view-dependent layer of one keyframe in both images for samples of `items` that both
+/// fill: what is left to differ there is the diffuse layer.
+[[nodiscard]] ComparedPair diffuseCompared(ComparedPair pair, const WarpedPair& warped, const ItemSet& items);
+
 /// A display pixel is selected if more than half of its samples are.
 [[nodiscard]] Mask resolveMask(const Mask& samples, int factor);
 
 /// The view-dependent items whose look may not be warped in this segment follow from what was seen in its
 /// middle.
 struct ItemVerdict {
-  ItemSet failing;  ///< compared, and more than the tolerance of their pixels differ visibly
-  ItemSet proven;   ///< compared, and did not fail
+  ItemSet failing;    ///< compared, and more than the tolerance of their pixels differ visibly
+  ItemSet proven;     ///< compared, and did not fail
+  ItemSet matt = {};  ///< of the failing: so does their diffuse layer by itself
 };
 
 /// `item`, `excluded`, `unverified` at display resolution. Only items for which `renderer` says viewDependent

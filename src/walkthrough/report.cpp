@@ -87,6 +87,7 @@ std::string reportJson(const Report& report) {
                       {"items", f.itemsTraced},
                       {"warped", f.warped},
                       {"reused", f.reused},
+                      {"layered", f.layered},
                       {"seconds", f.seconds}});
   }
   Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};

@@ -21,7 +21,10 @@ struct FrameStatistics {
   std::uint64_t itemSamples = 0;    ///< samples of items whose warped look a viewer could tell (traced)
   std::vector<ItemId> itemsTraced;  ///< those items, sorted
   std::uint64_t warped = 0;         ///< samples taken from keyframes and other inbetweens
-  std::uint64_t reused = 0;         ///< of these, samples that no keyframe could fill
+  /// Of these, samples of such items of which only the diffuse layer was: the view-dependent one is that of
+  /// traced samples of the same frame around them.
+  std::uint64_t layered = 0;
+  std::uint64_t reused = 0;  ///< of the warped, samples that no keyframe could fill
   double seconds = 0.0;
 };
 

@@ -115,7 +115,10 @@ ItemVerdict fail(const ItemVerdict& verdict, const ItemSet& caught) {
   failing.insert(failing.end(), caught.items().begin(), caught.items().end());
   std::vector<ItemId> proven = verdict.proven.items();
   std::erase_if(proven, [&](ItemId item) { return caught.contains(item); });
-  return {ItemSet(std::move(failing)), ItemSet(std::move(proven))};
+  // Which layer was wrong is not known.
+  std::vector<ItemId> matt = verdict.matt.items();
+  matt.insert(matt.end(), caught.items().begin(), caught.items().end());
+  return {ItemSet(std::move(failing)), ItemSet(std::move(proven)), ItemSet(std::move(matt))};
 }
 
 }  // namespace

@@ -188,8 +188,8 @@ class Walk {
             {other->statistics.index, ibr::gatherWarp(other->frame, target, shared, settings_.warp)});
       }
     }
-    Inbetween made =
-        synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, statistics_.seconds);
+    Inbetween made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_,
+                                settings_.supersample, statistics_.seconds);
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return made;
   }

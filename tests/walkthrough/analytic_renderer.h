@@ -20,7 +20,8 @@ inline constexpr ItemId kColumn = 3;
 enum class Panel {
   kMatt,
   kMirrorLike,
-  kSheen,  ///< like kMirrorLike, but too rough to be declared view dependent
+  kGlossy,  ///< declared view dependent as well, but its reflection changes slowly over the panel
+  kSheen,   ///< like kMirrorLike, but too rough to be declared view dependent
 };
 
 class AnalyticRenderer final : public Renderer {
@@ -61,7 +62,7 @@ class AnalyticRenderer final : public Renderer {
   }
 
   [[nodiscard]] ItemTraits traits(ItemId item) const override {
-    return {panel_ == Panel::kMirrorLike && item == kPanel};
+    return {(panel_ == Panel::kMirrorLike || panel_ == Panel::kGlossy) && item == kPanel};
   }
   [[nodiscard]] RayCounts rayCounts() const override { return {0, shaded_, 0, 0}; }
   [[nodiscard]] std::uint64_t shaded() const { return shaded_; }
@@ -105,7 +106,8 @@ class AnalyticRenderer final : public Renderer {
   [[nodiscard]] Rgb viewDependent(const Hit& hit, const Camera& camera) const {
     if (panel_ == Panel::kMatt || hit.item != kPanel) return Rgb(0.0f);
     const glm::dvec3 mirrored = hit.point - camera.pose().eye;
-    return Rgb(static_cast<float>(0.5 + 0.5 * std::sin(25.0 * mirrored.x / mirrored.z)));
+    const double frequency = panel_ == Panel::kGlossy ? 1.5 : 25.0;
+    return Rgb(static_cast<float>(0.5 + 0.5 * std::sin(frequency * mirrored.x / mirrored.z)));
   }
 
   /// Exponentially distributed towards bright values, as the noise of path tracing is skewed.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/walkthrough/analytic_renderer.h"
 
 namespace promenade::walkthrough {
@@ -180,6 +182,32 @@ TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
   // Evaluated anew with equal panels the images are equal: nothing leaks out of the mask.
   EXPECT_EQ(judgement.statistics.differencePercent, 0.0);
   EXPECT_NEAR(judgement.statistics.maskedPercent, 100.0 * 32 / 96, 1e-9);
+  EXPECT_THAT(judgement.items.matt.items(), ElementsAre(kPanel));
+}
+
+TEST(JudgeMiddle, SaysThatOnlyTheViewDependentLayerOfAnItemFailed) {
+  const Size size{96, 64};
+  WarpedPair warped = stripedPair(size);
+  warped.target.item = ItemBuffer(size, kPanel);
+  for (ibr::Warped* source : {&warped.fromFirst, &warped.fromLast}) {
+    std::swap(source->diffuse, source->viewDependent);
+    source->diffuse = RadianceMap(size, Rgb(0.1f));
+  }
+  const AnalyticRenderer renderer{Panel::kMirrorLike};
+  const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
+  EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
+  EXPECT_THAT(judgement.items.matt.items(), IsEmpty());
+}
+
+TEST(DiffuseCompared, LeavesTheDiffuseLayerToDiffer) {
+  WarpedPair warped = pairOf({2, 1});
+  warped.target.item(1, 0) = kPanel;
+  warped.fromFirst.viewDependent = RadianceMap({2, 1}, Rgb(1.0f));
+  warped.fromLast.viewDependent = RadianceMap({2, 1}, Rgb(2.0f));
+  const ComparedPair pair = diffuseCompared(comparedPair(warped, ItemSet()), warped, ItemSet({kPanel}));
+  EXPECT_EQ(pair.fromFirst(1, 0), Rgb(1.25f));
+  EXPECT_EQ(pair.fromLast(1, 0), Rgb(1.75f));  // 0.75 diffuse, 1 as in the first
+  EXPECT_EQ(pair.fromLast(0, 0), Rgb(2.75f));
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ Report threeFrames() {
   inbetween.itemsTraced = {3, 9};
   inbetween.warped = 180;
   inbetween.reused = 7;
+  inbetween.layered = 30;
   inbetween.seconds = 0.5;
   r.statistics.frames = {keyframe(4, 2.0), inbetween, keyframe(6, 2.5)};
   r.statistics.segments = {{.segment = {4, 6, 1},
@@ -100,7 +101,7 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
       "masked_percent": 10.0, "unverified_percent": 0.5, "probes": 6, "probe_difference_percent": 0.25, "decision": "accept", "depth": 1}])"));
   EXPECT_EQ(root["frames"][1],
             json::parse(R"({"index": 5, "kind": "inbetween", "samples_traced": 20, "holes": 5,
-      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "seconds": 0.5})"));
+      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "seconds": 0.5})"));
   EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
   EXPECT_FALSE(root.contains("resumed_from"));
 }

@@ -1,0 +1,24 @@
+#pragma once
+// Items whose warped look a viewer could tell are traced anew, but not in every sample: their diffuse layer
+// was warped, and what they reflect mostly changes little from sample to sample.
+
+#include "src/core/renderer.h"
+#include "src/walkthrough/item_set.h"
+
+namespace promenade::walkthrough {
+
+struct RetracedItems {
+  Frame frame;
+  Mask traced;  ///< the samples that were ray traced
+};
+
+/// `frame` is a warped inbetween with its holes traced; `items` (its size) selects the samples whose
+/// view-dependent layer was warped from where it looked different. One of the `supersample`^2 samples of a
+/// pixel is ray traced; the others keep their warped diffuse layer and get the view-dependent one of the
+/// traced samples around them on the same surface, unless these differ too much (ibr::interpolateViewLayer):
+/// then they are ray traced as well. Of `matt` items, whose diffuse layer may not be warped either, all
+/// samples are.
+[[nodiscard]] RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, int supersample,
+                                         int frameIndex, const Renderer& renderer);
+
+}  // namespace promenade::walkthrough

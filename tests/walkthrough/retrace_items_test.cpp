@@ -1,0 +1,101 @@
+#include "src/walkthrough/retrace_items.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/walkthrough/analytic_renderer.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+using tests::AnalyticRenderer;
+using tests::kPanel;
+using tests::Panel;
+
+constexpr Size kSize{128, 72};
+
+/// A frame whose view-dependent layer is wrong wherever the panel is.
+struct Wrong {
+  Frame frame;
+  Mask panel{kSize};
+  std::size_t samples = 0;
+};
+
+Wrong wrongPanel(const AnalyticRenderer& renderer) {
+  Wrong wrong{renderer.render(Camera(Pose{}, 1.0, kSize), 0)};
+  for (std::size_t i = 0; i < kSize.area(); ++i) {
+    wrong.frame.source.pixels()[i] = SampleSource::kBlended;
+    if (wrong.frame.visibility.item.pixels()[i] != kPanel) continue;
+    wrong.frame.viewDependent.pixels()[i] = Rgb(7.0f);
+    wrong.panel.pixels()[i] = 1;
+    ++wrong.samples;
+  }
+  return wrong;
+}
+
+std::size_t count(const Mask& mask) {
+  return static_cast<std::size_t>(std::count(mask.pixels().begin(), mask.pixels().end(), 1));
+}
+
+float largestError(const RadianceMap& found, const RadianceMap& truth) {
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < truth.pixels().size(); ++i) {
+    largest = std::max(largest, std::abs(found.pixels()[i].r - truth.pixels()[i].r));
+  }
+  return largest;
+}
+
+TEST(RetraceItems, TracesOneSampleAPixelOfASmoothReflection) {
+  const AnalyticRenderer renderer(Panel::kGlossy);
+  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kSize), 0);
+  Wrong wrong = wrongPanel(renderer);
+  const std::uint64_t before = renderer.shaded();
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
+  EXPECT_EQ(renderer.shaded() - before, count(retraced.traced));
+  // A quarter, and at the panel's four sides, where fewer than three are around, a few more.
+  EXPECT_GT(count(retraced.traced), wrong.samples / 4);
+  EXPECT_LT(count(retraced.traced), wrong.samples * 35 / 100);
+  // The reflection changes by at most 0.5 * 1.5 / 65.9 = 0.011 from one sample to the next, by 4% of all that
+  // the panel shows within two samples to either side. Inside a plane is closer to it than one step; a sample
+  // at the panel's border, with nothing known beyond it, gets the nearest value, up to two steps away.
+  EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 0.023f);
+  EXPECT_EQ(largestError(retraced.frame.diffuse, truth.diffuse), 0.0f);
+}
+
+TEST(RetraceItems, TracesEverySampleOfASharpReflection) {
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kSize), 0);
+  Wrong wrong = wrongPanel(renderer);
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
+  EXPECT_GT(count(retraced.traced), wrong.samples * 8 / 10);
+  // But at the crests, where neighbours differ by less than 8% of what the panel shows, at most 1.7.
+  EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 0.5f * 0.08f * 1.7f);
+}
+
+TEST(RetraceItems, TracesEverySampleWhereTheDiffuseLayerFailedAsWell) {
+  const AnalyticRenderer renderer(Panel::kGlossy);
+  Wrong wrong = wrongPanel(renderer);
+  const RetracedItems retraced =
+      retraceItems(std::move(wrong.frame), wrong.panel, ItemSet({kPanel}), 2, 0, renderer);
+  EXPECT_EQ(count(retraced.traced), wrong.samples);
+}
+
+TEST(RetraceItems, TracesEverySampleIfAPixelHasButOne) {
+  const AnalyticRenderer renderer(Panel::kGlossy);
+  Wrong wrong = wrongPanel(renderer);
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 1, 0, renderer);
+  EXPECT_EQ(count(retraced.traced), wrong.samples);
+}
+
+TEST(RetraceItems, TracesNothingThatIsNotSelected) {
+  const AnalyticRenderer renderer(Panel::kGlossy);
+  Wrong wrong = wrongPanel(renderer);
+  const std::uint64_t before = renderer.shaded();
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), Mask(kSize), ItemSet(), 2, 0, renderer);
+  EXPECT_EQ(renderer.shaded(), before);
+  EXPECT_EQ(count(retraced.traced), 0u);
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough
