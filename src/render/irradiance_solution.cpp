@@ -286,6 +286,11 @@ constexpr int kCoarsestStride = 32, kFinestStride = 2;  ///< display pixels
 /// How often light is followed from what the cameras see to what sends it there.
 constexpr int kBounceLevels = 2;
 
+/// Gathering paths end at these records from now on.
+void use(PathTracer& tracer, const IrradianceRecords& coarse) {
+  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{coarse, {}, {}, {}}));
+}
+
 void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera> cameras,
                   const SolutionSettings& settings, IrradianceRecords& records) {
   Placer placer(tracer, settings, settings.coarse, records);
@@ -298,7 +303,9 @@ void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera
     first = last;
   }
   gatherer.gather(records, before, gatherer.coarse());
-  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{records, {}, {}, {}}));
+  use(tracer, records);
+  // Where to look for light is known well enough now.
+  tracer.setBright(tracer.findBright());
   gatherer.gather(records, before, gatherer.coarse());
 }
 
@@ -343,10 +350,9 @@ std::shared_ptr<const LightSolution> solveIrradiance(PathTracer& tracer, std::sp
   }
 
   Gatherer gatherer(tracer, settings, progress);
-  if (known)
-    tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{known->coarse, {}, {}, {}}));
+  if (known) use(tracer, known->coarse);
   extendCoarse(tracer, gatherer, added, settings, solution.coarse);
-  tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{solution.coarse, {}, {}, {}}));
+  use(tracer, solution.coarse);
   Placer placer(tracer, settings, settings.fine, solution.fine);
   for (int stride = kCoarsestStride / 2; stride >= kFinestStride; stride /= 2) {
     const std::size_t before = solution.fine.places().size();

@@ -239,9 +239,11 @@ std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSe
                            [&](const Camera& camera) { return known->isFor(camera); })) {
     return known;  // before the scene is built for tracing
   }
-  PathSettings unbiased = settings;
-  unbiased.solution = nullptr;
-  PathTracer tracer(scene, unbiased);
+  PathSettings gathering = settings;
+  gathering.solution = nullptr;
+  // What solid glass casts on matt surfaces would be found by chance only, and show as blotches.
+  gathering.solidGlass = SolidGlass::kStraightAfterScattering;
+  PathTracer tracer(scene, gathering);
   SolutionSettings solution;
   solution.seed = seedOf(settings);
   solution.checkpoint = settings.checkpoint;

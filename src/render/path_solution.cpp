@@ -95,7 +95,8 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
   });
   const GatheringSurface scattering;
   const Shares asked = firstShares(vertex);
-  const Shares shares{asked.environment * kLightsPerPath, asked.local * kLightsPerPath};
+  const float bright = bright_ && settings_.solution && settings_.maxBounces > 1 ? 1.0f : 0.0f;
+  const Shares shares{asked.environment * kLightsPerPath, asked.local * kLightsPerPath, bright};
   Sampler::Stream lightStream = stream;
   lightStream.seed ^= kLightSeed;
   lightStream.pathsPerPixel *= kLightsPerPath;
@@ -109,6 +110,11 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
   }
   for (std::uint32_t i = 0; i < stream.pathsPerPixel; ++i) {
     Sampler sampler(stream, i);
+    sampleBright(vertex, scattering, bright, sampler, rays,
+                 [&](const Ray& shadow, const Rgb& diffuse, const Rgb&) {
+                   ++rays.shadow;
+                   shadows.add(shadow, {diffuse, glm::normalize(shadow.direction)});
+                 });
     const float choose = sampler.next1D();
     const BsdfSample s = scattering.sample(choose, sampler.next2D());
     if (!(s.pdf > 0.0f) || isBlack(s.diffuse)) continue;
@@ -132,6 +138,43 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
 
 void PathTracer::setSolution(std::shared_ptr<const LightSolution> solution) {
   settings_.solution = std::move(solution);
+}
+
+void PathTracer::setBright(std::shared_ptr<const BrightSurfaces> bright) {
+  bright_ = bright && !bright->empty() ? std::move(bright) : nullptr;
+}
+
+std::shared_ptr<const BrightSurfaces> PathTracer::findBright() const {
+  if (!settings_.solution) return nullptr;
+  return std::make_shared<const BrightSurfaces>(
+      surfaces_, embree_, [this](const Hit& hit, const glm::vec3& direction, float width) {
+        // Most of a scene is not known, and quickly passed over.
+        const SurfacePoint point = surfaces_.pointAt(hit, direction);
+        const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
+        if (!settings_.solution->roughlyAt(point.position, facing)) return 0.0f;
+        PathRays uncounted;
+        return luminance(sentBackAt(hit, direction, width, uncounted));
+      });
+}
+
+PathTracer::SentBack PathTracer::sentBack(const Vertex& vertex, const ScatteringSurface& scattering,
+                                          const SurfaceLight& known, bool blurred, PathRays& rays) const {
+  const BsdfAlbedo albedo = scattering.albedo();
+  const Rgb under = radianceOnTurned(known, vertex.facing, vertex.look.normal);
+  const SampleRadiance direct = fromDeltaLights(vertex, scattering, rays);
+  const bool isBroad = isOpaqueBeyond(vertex.look.bsdf, blurred ? kBroadToTheBlurred : kBroadRoughness);
+  const Rgb reflected = isBroad ? albedo.diffuse + albedo.viewDependent : albedo.diffuse;
+  return {reflected * under + direct.diffuse + direct.viewDependent, isBroad};
+}
+
+Rgb PathTracer::sentBackAt(const Hit& hit, const glm::vec3& direction, float width, PathRays& rays) const {
+  Vertex vertex = vertexAt(hit, direction, {width, true});
+  if (vertex.look.unlit || !(vertex.wo.z > 0.0f)) return Rgb(0.0f);
+  const std::optional<SurfaceLight> known = lightFromSolution(vertex, Interpolation::kRough);
+  if (!known) return Rgb(0.0f);
+  roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
+  const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
+  return vertex.look.alpha * sentBack(vertex, scattering, *known, true, rays).radiance;
 }
 
 std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex,

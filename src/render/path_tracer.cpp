@@ -14,9 +14,6 @@ namespace {
 constexpr int kFirstRoulette = 3;  ///< scatterings before Russian roulette may end a path
 constexpr float kLeastSurvival = 0.05f;
 constexpr float kHiddenSkyShare = 0.25f;  ///< samples of the sky where the guide has seen none of it
-/// Width of the pencil of rays after scattering with density pdf, per unit distance: a fraction of the solid
-/// angle 1/pdf that one sample stands for. Only texture filtering depends on it.
-constexpr float kSpreadOfScattering = 0.15f;
 
 /// Along the pencil's cross-section, or as if it met the surface at a right angle: enough for light that is
 /// blurred anyway.
@@ -35,13 +32,6 @@ Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, flo
   const float length = glm::length(inPlane);
   const glm::vec3 along = length > 1e-4f ? inPlane / length : Basis(normal).x;
   return {along * (width / cosine), glm::cross(normal, along) * width};
-}
-
-/// Panes stay clear: light goes straight through them in next event estimation too.
-void roughen(BsdfParameters& bsdf, float least) {
-  if (bsdf.transmission > 0.0f && bsdf.thinWalled) return;
-  bsdf.roughness = std::max(bsdf.roughness, least);
-  bsdf.clearcoatRoughness = std::max(bsdf.clearcoatRoughness, least);
 }
 
 /// Turns a smooth refracting solid's surface into a pane; false if it is none.
@@ -82,9 +72,12 @@ PathTracer::Vertex PathTracer::vertexAt(const Hit& hit, const glm::vec3& unitDir
                        projectPencil(facing, unitDirection, pencil.width,
                                      pencil.blurred ? Filtering::kRound : Filtering::kAlongSurface));
   const Basis basis(look.normal);
-  return {
-      point.position, facing,       basis,          basis.toLocal(-unitDirection),
-      look,           hit.instance, point.material, sky_ ? &sky_->viewFrom(point.position, facing) : nullptr};
+  return {point.position, facing,       basis,          basis.toLocal(-unitDirection),
+          look,           hit.instance, point.material, nullptr};
+}
+
+void PathTracer::lookAtSky(Vertex& vertex) const {
+  if (sky_) vertex.sky = &sky_->viewFrom(vertex.position, vertex.facing);
 }
 
 /// Both kinds of light, the sky less often where none of it has been seen.
@@ -102,6 +95,7 @@ PathTracer::Shares PathTracer::laterShares(const Vertex& vertex) const {
     shares.environment *= 0.5f;
     shares.local = 1.0f - shares.environment;
   }
+  if (bright_ && settings_.solution) shares.bright = 1.0f;
   return shares;
 }
 
@@ -175,27 +169,36 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       passStraight(through);
       continue;
     }
-    const Shares shares = laterShares(vertex);
     const std::optional<SurfaceLight> known =
         lightFromSolution(vertex, path.blurred ? Interpolation::kRough : Interpolation::kSmooth);
     if (known) {
-      const BsdfAlbedo albedo = scattering.albedo();
-      const Rgb under = radianceOnTurned(*known, vertex.facing, vertex.look.normal);
-      const SampleRadiance direct = fromDeltaLights(vertex, scattering, rays);
-      const bool isBroad =
-          isOpaqueBeyond(vertex.look.bsdf, path.blurred ? kBroadToTheBlurred : kBroadRoughness);
-      const Rgb reflected = isBroad ? albedo.diffuse + albedo.viewDependent : albedo.diffuse;
-      add(path.throughput * (reflected * under + direct.diffuse + direct.viewDependent), path.bounces + 1);
-      if (isBroad) break;
+      const SentBack sent = sentBack(vertex, scattering, *known, path.blurred, rays);
+      float weight = 1.0f;
+      if (path.shares.bright > 0.0f && !path.scatterDelta) {
+        const float distance = glm::length(vertex.position - path.scatterPosition);
+        weight = powerHeuristic(path.scatterPdf,
+                                path.shares.bright * bright_->pdf(hit, path.direction, distance,
+                                                                  path.scatterPosition, path.scatterNormal));
+      }
+      add(path.throughput * sent.radiance * weight, path.bounces + 1);
+      if (sent.isAll) break;
       dropDiffuse(vertex.look.bsdf);
       scattering = ScatteringSurface(vertex.look.bsdf, vertex.wo);
     }
+    lookAtSky(vertex);
+    const Shares shares = laterShares(vertex);
     sampleLights(vertex, scattering, shares, 1.0f, sampler,
                  known ? DeltaLights::kExcluded : DeltaLights::kIncluded,
                  [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                    ++rays.shadow;
                    const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
                    add(path.throughput * arriving * embree_.transmittance(shadow), path.bounces + 1);
+                 });
+    sampleBright(vertex, scattering, path.bounces + 1 < settings_.maxBounces ? shares.bright : 0.0f, sampler,
+                 rays, [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
+                   ++rays.shadow;
+                   const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
+                   add(path.throughput * arriving * embree_.transmittance(shadow), path.bounces + 2);
                  });
 
     const float choose = sampler.next1D();
@@ -234,7 +237,7 @@ void PathTracer::scatter(const Vertex& vertex, const BsdfSample& sample, const g
   path.shares = shares;
   path.sky = vertex.sky;
   path.blurred = path.blurred || !sample.delta;
-  if (!sample.delta) path.spread = std::max(path.spread, kSpreadOfScattering / std::sqrt(sample.pdf));
+  if (!sample.delta) path.spread = std::max(path.spread, spreadOfScattering(sample.pdf));
 }
 
 std::optional<PathTracer::Carried> PathTracer::leave(const Sight& sight, const Vertex& vertex,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "src/render/bright_surfaces.h"
 #include "src/render/embree_scene.h"
 #include "src/render/environment.h"
 #include "src/render/irradiance_records.h"
@@ -37,6 +38,11 @@ class PathTracer {
 
   /// Light on matt surfaces from now on; null: paths alone. Not while others use the tracer.
   void setSolution(std::shared_ptr<const LightSolution> solution);
+  /// Surfaces that gathering paths know of from now on, as lights; null: none. They must be of this tracer,
+  /// and may be of another solution than the one it has now. Not while others use the tracer.
+  void setBright(std::shared_ptr<const BrightSurfaces> bright);
+  /// Those that the present solution shows.
+  [[nodiscard]] std::shared_ptr<const BrightSurfaces> findBright() const;
 
   /// What a primary ray that hits nothing sees.
   [[nodiscard]] Rgb background(const glm::vec3& unitDirection) const;
@@ -64,11 +70,27 @@ class PathTracer {
   enum class DeltaLights { kIncluded, kExcluded };
 
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
+  /// Before next event estimation at the vertex.
+  void lookAtSky(Vertex& vertex) const;
   [[nodiscard]] Shares firstShares(const Vertex& vertex) const;
   [[nodiscard]] Shares laterShares(const Vertex& vertex) const;
   template <class Scattering, class Add>
   void sampleLights(const Vertex& vertex, const Scattering& scattering, const Shares& shares, float times,
                     Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
+  /// Calls add(shadow ray, diffuse, view-dependent) for a point on a bright surface, chosen `share` times.
+  template <class Scattering, class Add>
+  void sampleBright(const Vertex& vertex, const Scattering& scattering, float share, Sampler& sampler,
+                    PathRays& rays, const Add& add) const;
+  /// What a vertex sends on of the light that the solution says falls on it, and of the point, spot and
+  /// directional lights.
+  struct SentBack {
+    Rgb radiance{0.0f};
+    bool isAll = false;  ///< it sends nothing else on, but what it emits
+  };
+  [[nodiscard]] SentBack sentBack(const Vertex& vertex, const ScatteringSurface& scattering,
+                                  const SurfaceLight& known, bool blurred, PathRays& rays) const;
+  /// The same for a point that a blurred path comes to.
+  [[nodiscard]] Rgb sentBackAt(const Hit& hit, const glm::vec3& direction, float width, PathRays& rays) const;
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
@@ -106,6 +128,7 @@ class PathTracer {
   std::optional<EnvironmentLight> environment_;
   std::optional<SkyGuide> sky_;
   Lights lights_;
+  std::shared_ptr<const BrightSurfaces> bright_;
 };
 
 }  // namespace promenade::render

@@ -52,6 +52,19 @@ inline bool isBroadToTheEye(const BsdfParameters& bsdf) {
   return isOpaqueBeyond(bsdf, glm::mix(kBroadToTheEye, kBroadMetalToTheEye, bsdf.metallic));
 }
 
+/// Panes stay clear: light goes straight through them in next event estimation too.
+inline void roughen(BsdfParameters& bsdf, float least) {
+  if (bsdf.transmission > 0.0f && bsdf.thinWalled) return;
+  bsdf.roughness = std::max(bsdf.roughness, least);
+  bsdf.clearcoatRoughness = std::max(bsdf.clearcoatRoughness, least);
+}
+
+/// Width of the pencil of rays after scattering with density `pdf`, per unit distance: a fraction of the
+/// solid angle 1/pdf that one sample stands for. Only texture filtering depends on it.
+inline float spreadOfScattering(float pdf) {
+  return 0.15f / std::sqrt(pdf);
+}
+
 /// Takes the diffuse part away where that leaves the rest as it was, so that no samples are spent on it.
 inline void dropDiffuse(BsdfParameters& bsdf) {
   if (bsdf.metallic <= 0.0f && bsdf.transmission <= 0.0f) bsdf.baseColor = Rgb(0.0f);
@@ -73,7 +86,7 @@ struct PathTracer::Vertex {
   SurfaceLook look;
   std::uint32_t instance;
   int material;
-  const SkyGuide::View* sky;  ///< null without environment
+  const SkyGuide::View* sky;  ///< null without environment, and until it is looked at
 
   [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
     return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
@@ -88,10 +101,11 @@ struct PathTracer::Vertex {
   }
 };
 
-/// Expected samples of the environment and of the other lights at a vertex.
+/// Expected samples of the environment, of the other lights, and of bright surfaces at a vertex.
 struct PathTracer::Shares {
   float environment = 0.0f;
   float local = 0.0f;
+  float bright = 0.0f;
 };
 
 /// A path between two vertices.
@@ -221,6 +235,31 @@ void PathTracer::sampleLights(const Vertex& vertex, const Scattering& scattering
         lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
     if (light && light->pdf > 0.0f) weigh(*light, shares.local);
   }
+}
+
+template <class Scattering, class Add>
+void PathTracer::sampleBright(const Vertex& vertex, const Scattering& scattering, float share,
+                              Sampler& sampler, PathRays& rays, const Add& add) const {
+  if (!(share > 0.0f)) return;
+  const float choose = sampler.next1D();
+  const glm::vec2 u = sampler.next2D();
+  const std::optional<BrightSurfaces::Chosen> chosen =
+      bright_->sample(vertex.position, vertex.facing, choose, u);
+  if (!chosen) return;
+  const glm::vec3 wi = vertex.basis.toLocal(chosen->direction);
+  if (!vertex.agree(wi, chosen->direction)) return;
+  const BsdfValue f = scattering.evaluate(wi);
+  if (isBlack(f.diffuse + f.viewDependent)) return;
+  const Rgb radiance =
+      sentBackAt(chosen->hit, chosen->direction, spreadOfScattering(f.pdf) * chosen->hit.distance, rays);
+  if (isBlack(radiance)) return;
+  const float pdf = chosen->pdf * share;
+  const Rgb arriving = radiance * (powerHeuristic(pdf, f.pdf) / pdf);
+  Ray shadow;
+  shadow.origin = vertex.originToward(chosen->direction);
+  shadow.direction = chosen->target - shadow.origin;
+  shadow.farthest = 1.0f - 1e-5f;
+  add(shadow, f.diffuse * arriving, f.viewDependent * arriving);
 }
 
 }  // namespace promenade::render

@@ -57,7 +57,8 @@ SampleRadiance PathTracer::see(Sight sight, const Hit& hit, const Sampler::Strea
                              surfaces_.scene().materials[static_cast<std::size_t>(path.medium)], hit.distance)
                        : Rgb(1.0f);
   path.throughput *= clear;
-  const Vertex vertex = vertexAt(hit, path.direction, {path.width, false});
+  Vertex vertex = vertexAt(hit, path.direction, {path.width, false});
+  lookAtSky(vertex);
   const float alpha = vertex.look.alpha;
   SampleRadiance seen;
   if (alpha > 0.0f) {

@@ -9,30 +9,12 @@
 namespace promenade::render {
 namespace {
 
-constexpr int kCellsAlongLongestSide = 40;
 constexpr int kRaysPerBin = 2;
 constexpr int kEnvironmentRays = 64;  ///< chosen by the environment, to see how many of those arrive
 constexpr float kLeastShare = 0.25f;
 constexpr float kMostShare = 0.9f;
-constexpr int kSides = 6;
 constexpr float kPi = glm::pi<float>();
 constexpr float kOneBelow = 0.99999994f;
-
-/// PCG-XSH-RR of O'Neill (2014): only to jitter the rays of a histogram.
-class Jitter {
- public:
-  explicit Jitter(std::uint64_t seed) : state_(seed * 6364136223846793005ull + 1442695040888963407ull) {}
-  float next() {
-    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
-    const auto shifted = static_cast<std::uint32_t>(((state_ >> 18u) ^ state_) >> 27u);
-    const auto turn = static_cast<std::uint32_t>(state_ >> 59u);
-    const std::uint32_t bits = (shifted >> turn) | (shifted << ((32u - turn) & 31u));
-    return static_cast<float>(bits >> 8) * 0x1p-24f;
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// Clarberg 2008, as in PBRT 4th ed., 3.8.3, about +Y.
 glm::vec3 directionAt(int bin, float du, float dv) {
@@ -64,18 +46,6 @@ int binOf(const glm::vec3& direction) {
     return std::clamp(static_cast<int>(position), 0, SkyGuide::kEdge - 1);
   };
   return indexOf(v, direction.z) * SkyGuide::kEdge + indexOf(u, direction.x);
-}
-
-glm::vec3 axisOf(int side) {
-  glm::vec3 axis(0.0f);
-  axis[side / 2] = side % 2 == 0 ? 1.0f : -1.0f;
-  return axis;
-}
-
-int sideOf(const glm::vec3& normal) {
-  const glm::vec3 a = glm::abs(normal);
-  const int dimension = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);
-  return 2 * dimension + (normal[dimension] >= 0.0f ? 0 : 1);
 }
 
 float meanOf(const Rgb& c) {
@@ -116,57 +86,14 @@ class PacketQueue {
 }  // namespace
 
 SkyGuide::SkyGuide(const EmbreeScene& embree, const EnvironmentLight& environment)
-    : embree_(embree), environment_(environment) {
-  const EmbreeScene::Bounds bounds = embree.bounds();
-  const glm::vec3 extent = bounds.upper - bounds.lower;
-  const float longest = std::max(extent.x, std::max(extent.y, extent.z));
-  lower_ = bounds.lower;
-  cellSize_ = longest > 0.0f && std::isfinite(longest) ? longest / kCellsAlongLongestSide : 1.0f;
-  for (int i = 0; i < 3; ++i) {
-    const float count = std::ceil(extent[i] / cellSize_);
-    cells_[i] = count >= 1.0f ? std::min(static_cast<int>(count), kCellsAlongLongestSide + 1) : 1;
-  }
-  slotCount_ = static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
-               static_cast<std::size_t>(cells_.z) * kSides;
-  slots_ = std::make_unique<std::atomic<const View*>[]>(slotCount_);
-}
-
-SkyGuide::~SkyGuide() {
-  for (std::size_t i = 0; i < slotCount_; ++i) delete slots_[i].load();
-}
+    : embree_(embree), environment_(environment), views_(embree.bounds()) {}
 
 const SkyGuide::View& SkyGuide::viewFrom(const glm::vec3& position, const glm::vec3& normal) const {
-  glm::ivec3 cell;
-  for (int i = 0; i < 3; ++i) {
-    const float at = (position[i] - lower_[i]) / cellSize_;
-    cell[i] = at > 0.0f ? std::min(static_cast<int>(at), cells_[i] - 1) : 0;
-  }
-  const auto index = static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
-  const std::size_t slot = index * kSides + static_cast<std::size_t>(sideOf(normal));
-  const View* view = slots_[slot].load(std::memory_order_acquire);
-  if (view != nullptr) return *view;
-  // Two threads may fill the same cell at once; both find the same, and one result is kept.
-  std::unique_ptr<View> fresh = look(slot);
-  if (slots_[slot].compare_exchange_strong(view, fresh.get(), std::memory_order_acq_rel))
-    return *fresh.release();
-  return *view;
+  return views_.at(position, normal, [this](const CellSide& from) { return look(from); });
 }
 
-std::unique_ptr<SkyGuide::View> SkyGuide::look(std::size_t slot) const {
-  const auto side = static_cast<int>(slot % kSides);
-  const std::size_t index = slot / kSides;
-  const auto columns = static_cast<std::size_t>(cells_.x), rows = static_cast<std::size_t>(cells_.y);
-  const glm::vec3 corner =
-      lower_ + cellSize_ * glm::vec3(index % columns, index / columns % rows, index / (columns * rows));
-  const glm::vec3 axis = axisOf(side);
-  Jitter jitter(slot);
-  // Points reach one cell further to the side that the surfaces face: most of their own cell may lie behind
-  // them.
-  const auto pointInCell = [&] {
-    const float x = jitter.next(), y = jitter.next(), z = jitter.next(), ahead = 1.25f * jitter.next();
-    return corner + cellSize_ * (glm::vec3(x, y, z) + ahead * axis);
-  };
-
+std::unique_ptr<SkyGuide::View> SkyGuide::look(const CellSide& from) const {
+  Jitter jitter(from.number);
   std::array<float, kBins> seen{};
   const auto gather = [&](int bin, float value) { seen[static_cast<std::size_t>(bin)] += value; };
   PacketQueue histogramRays(embree_, gather);
@@ -174,10 +101,10 @@ std::unique_ptr<SkyGuide::View> SkyGuide::look(std::size_t slot) const {
     for (int ray = 0; ray < kRaysPerBin; ++ray) {
       const float du = jitter.next(), dv = jitter.next();
       const glm::vec3 direction = directionAt(bin, du, dv);
-      const glm::vec3 origin = pointInCell();
+      const glm::vec3 origin = from.point(jitter);
       // Normals of this side turn up to 55 degrees from its axis, so a direction may serve though it is
       // behind the axis.
-      const float cosine = 0.1f + glm::dot(direction, axis);
+      const float cosine = 0.1f + glm::dot(direction, from.axis);
       if (cosine <= -0.6f) continue;
       const float value = meanOf(environment_.radiance(direction)) * std::max(cosine, 0.1f);
       if (value > 0.0f) histogramRays.add(origin, direction, bin, value);
@@ -191,8 +118,8 @@ std::unique_ptr<SkyGuide::View> SkyGuide::look(std::size_t slot) const {
   for (int i = 0; i < kEnvironmentRays; ++i) {
     const float u = (static_cast<float>(i) + jitter.next()) / kEnvironmentRays;
     const EnvironmentSample s = environment_.sample({u, jitter.next()});
-    const glm::vec3 origin = pointInCell();
-    const float cosine = glm::dot(s.direction, axis);
+    const glm::vec3 origin = from.point(jitter);
+    const float cosine = glm::dot(s.direction, from.axis);
     if (!(s.pdf > 0.0f) || cosine <= 0.0f) continue;
     asked += cosine;
     environmentRays.add(origin, s.direction, 0, cosine);

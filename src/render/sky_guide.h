@@ -12,12 +12,11 @@
 // nothing but its cell: images stay the same for any number of threads. Not part of the folder's public face.
 
 #include <array>
-#include <atomic>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "src/render/cell_views.h"
 #include "src/render/embree_scene.h"
 #include "src/render/environment.h"
 
@@ -40,9 +39,6 @@ class SkyGuide {
 
   /// Both must outlive this.
   SkyGuide(const EmbreeScene& embree, const EnvironmentLight& environment);
-  ~SkyGuide();
-  SkyGuide(const SkyGuide&) = delete;
-  SkyGuide& operator=(const SkyGuide&) = delete;
 
   /// For a surface at `position` that faces `normal`. Any number of threads may ask.
   [[nodiscard]] const View& viewFrom(const glm::vec3& position, const glm::vec3& normal) const;
@@ -52,15 +48,11 @@ class SkyGuide {
   [[nodiscard]] float pdf(const View& view, const glm::vec3& direction) const;
 
  private:
-  [[nodiscard]] std::unique_ptr<View> look(std::size_t slot) const;
+  [[nodiscard]] std::unique_ptr<View> look(const CellSide& from) const;
 
   const EmbreeScene& embree_;
   const EnvironmentLight& environment_;
-  glm::vec3 lower_{0.0f};
-  float cellSize_ = 1.0f;
-  glm::ivec3 cells_{1};
-  std::size_t slotCount_ = 0;
-  std::unique_ptr<std::atomic<const View*>[]> slots_;
+  CellViews<View> views_;
 };
 
 }  // namespace promenade::render
