@@ -291,6 +291,19 @@ void use(PathTracer& tracer, const IrradianceRecords& coarse) {
   tracer.setSolution(std::make_shared<const LightSolution>(LightSolution{coarse, {}, {}, {}}));
 }
 
+/// Of the records from `first` on.
+double meanRelativeError(const std::vector<SurfaceLight>& light, std::size_t first) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = first; i < light.size(); ++i) {
+    const float value = luminance(light[i].radiance);
+    if (!(value > 0.0f)) continue;
+    sum += light[i].error / value;
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera> cameras,
                   const SolutionSettings& settings, IrradianceRecords& records) {
   Placer placer(tracer, settings, settings.coarse, records);
@@ -304,7 +317,10 @@ void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera
   }
   gatherer.gather(records, before, gatherer.coarse());
   use(tracer, records);
-  // Where to look for light is known well enough now.
+  gatherer.gather(records, before, gatherer.coarse());
+  if (meanRelativeError(records.light(), before) <= settings.noisy) return;
+  // Few paths bring most of the light. Where it comes from is known well enough now.
+  use(tracer, records);
   tracer.setBright(tracer.findBright());
   gatherer.gather(records, before, gatherer.coarse());
 }
