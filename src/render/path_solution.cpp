@@ -19,7 +19,7 @@ constexpr float kFaint = 0.25f;
 /// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
 /// bright one), and up to so many until the standard error of a sample is this share of all it shows.
 constexpr int kLeastPaths = 16;
-constexpr int kMostPaths = 256;
+constexpr int kMostPaths = 128;
 constexpr float kStrongNoise = 0.05f;
 constexpr float kFaintNoise = 0.015f;
 /// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
