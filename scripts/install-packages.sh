@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libembree-dev libopenexr-dev libopenimageio-dev openimageio-tools libtinygltf-dev libstb-dev libglm-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
-  libfftw3-dev libhwy-dev libtbb-dev libcli11-dev libspdlog-dev nlohmann-json3-dev
+  libfftw3-dev libhwy-dev libtbb-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libjs-chart.js
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 

@@ -5,6 +5,7 @@
 #include "src/app/config_file.h"
 #include "src/app/options.h"
 #include "src/app/printable.h"
+#include "src/app/shell_words.h"
 #include "src/core/errors.h"
 #include "src/core/nearest_name.h"
 #include "src/io/text_file.h"
@@ -160,6 +161,16 @@ void addEncode(CLI::App& verb, EncodeOptions& o) {
   verb.footer("Example:\n  promenade encode walk walk.mkv --tone linear --exposure -0.5");
 }
 
+void addReport(CLI::App& verb, ReportOptions& o) {
+  verb.add_option("folder", o.folder, "Folder that `promenade render` filled")->required();
+  verb.add_option(
+      "--reference", o.reference,
+      "Folder of the same walk with every frame ray traced: shown beside, and compared frame by frame");
+  verb.add_option("--out", o.out, "Page to write (default: FOLDER/report.html)");
+  verb.add_option("--threads", o.threads, "Threads, 0: all")->capture_default_str();
+  verb.footer("Example:\n  promenade report walk --reference reference");
+}
+
 void addInfo(CLI::App& verb, InfoOptions& o) {
   verb.add_option("scene", o.scene, "Scene: .glb or .gltf")->required();
   addSceneOptions(verb, o.load);
@@ -172,13 +183,14 @@ struct VerbEntry {
   const char* about;
 };
 
-constexpr std::array<VerbEntry, 5> kVerbs = {{
+constexpr std::array<VerbEntry, 6> kVerbs = {{
     {Verb::kRender, "render", "Render a walk through a scene: frames, video and report"},
     {Verb::kCompare, "compare",
      "Where would a viewer see a difference between two images, sequences or videos?"},
     {Verb::kPath, "path", "Describe, convert or draw a camera path"},
     {Verb::kEncode, "encode",
      "Make a video of rendered frames with another tone mapping, crop or frame rate"},
+    {Verb::kReport, "report", "Make the page report.html of a rendered folder again, with a reference"},
     {Verb::kInfo, "info", "What a scene holds"},
 }};
 
@@ -334,6 +346,9 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     case Verb::kEncode:
       addEncode(verb, line.encode);
       break;
+    case Verb::kReport:
+      addReport(verb, line.report);
+      break;
     case Verb::kInfo:
       addInfo(verb, line.info);
       break;
@@ -365,6 +380,9 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     return line;
   }
   line.verb = entry->verb;
+  std::vector<std::string> words = {"promenade"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  line.render.command = shellWords(words);
   return line;
 }
 

@@ -105,6 +105,11 @@ Rgb visibilityColour(float probability, float grey) {
   return glm::mix(Rgb(grey), Rgb(0.42f, 0.22f, 0.85f), p / kLimit);
 }
 
+Rgb thresholdColour(float probability, const Rgb& picture) {
+  const float grey = 0.2126f * picture.r + 0.7152f * picture.g + 0.0722f * picture.b;
+  return visibilityColour(probability, 0.1f + 0.5f * grey);
+}
+
 Rgb jndColour(float jnd) {
   constexpr std::array<std::array<float, 3>, 5> kStops = {{{0.0f, 0.0f, 0.0f},
                                                            {0.34f, 0.06f, 0.43f},
@@ -158,8 +163,7 @@ EncodedMap heatmap(const ComparedFrames& frames, const std::string& title) {
     return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
   };
   panel(kGap, lower, "THRESHOLD MAP: WHERE A DIFFERENCE IS SEEN", [&](int x, int y) {
-    return isExcluded(x, y) ? kExcluded
-                            : visibilityColour(frames.probability(x, y), 0.1f + 0.5f * greyAt(x, y));
+    return isExcluded(x, y) ? kExcluded : thresholdColour(frames.probability(x, y), frames.reference(x, y));
   });
   panel(right, lower, "JND MAP: HOW CLEARLY IT IS SEEN", [&](int x, int y) {
     return isExcluded(x, y) ? kExcluded : jndColourOver(frames.pooledJnd(x, y), 0.35f * greyAt(x, y));

@@ -24,6 +24,9 @@ struct ComparedFrames {
 /// Over a background of the given grey: through violet up to P = 0.75, from orange to yellow above.
 [[nodiscard]] Rgb visibilityColour(float probability, float grey);
 
+/// The threshold map's colour of a pixel: visibilityColour() over the darkened grey of `picture`.
+[[nodiscard]] Rgb thresholdColour(float probability, const Rgb& picture);
+
 /// Black, violet, orange, yellow for 0 to 8 just noticeable differences and more, in steps of log(1 + J).
 [[nodiscard]] Rgb jndColour(float jnd);
 

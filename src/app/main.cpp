@@ -28,6 +28,8 @@ ExitStatus run(const std::vector<std::string>& arguments) {
       return runPath(line.path, console);
     case Verb::kEncode:
       return runEncode(line.encode, console);
+    case Verb::kReport:
+      return runReport(line.report, console);
     case Verb::kInfo:
       return runInfo(line.info, console);
     case Verb::kHelpOnly:

@@ -39,6 +39,7 @@ struct RenderOptions {
   bool overwrite = false;
   bool maps = false;
   SceneOptions load;
+  std::string command;  ///< the command line itself, for a shell
 };
 
 /// Choices of the metric's pipeline, each empty: as --metric has it.
@@ -90,12 +91,19 @@ struct EncodeOptions {
   std::string crop;
 };
 
+struct ReportOptions {
+  std::string folder;
+  std::string reference;  ///< empty: none
+  std::string out;        ///< empty: DIR/report.html
+  std::string threads = "0";
+};
+
 struct InfoOptions {
   std::string scene;
   SceneOptions load;
 };
 
-enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kInfo };
+enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kReport, kInfo };
 
 struct CommandLine {
   Verb verb = Verb::kHelpOnly;
@@ -105,6 +113,7 @@ struct CommandLine {
   CompareOptions compare;
   PathOptions path;
   EncodeOptions encode;
+  ReportOptions report;
   InfoOptions info;
 };
 

@@ -50,7 +50,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing ex
     }
   }
   if (existing == Existing::kOverwrite) {
-    for (const char* name : {"report.json", "walkthrough.mp4"}) removeFile(folder_ / name);
+    for (const char* name : {"report.json", "report.html", "walkthrough.mp4"}) removeFile(folder_ / name);
   }
   // Creating and discarding a file shows whether the folder can be written, before any work is done.
   const io::AtomicFile probe(folder_ / "frames" / "probe");

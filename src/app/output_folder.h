@@ -1,5 +1,5 @@
 #pragma once
-// The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, maps/.
+// The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/.
 
 #include <filesystem>
 #include <string>

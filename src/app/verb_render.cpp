@@ -6,6 +6,7 @@
 #include "src/app/machine.h"
 #include "src/app/output_folder.h"
 #include "src/app/render_job.h"
+#include "src/app/report_page.h"
 #include "src/app/solved_light.h"
 #include "src/app/threads.h"
 #include "src/app/verbs.h"
@@ -118,7 +119,9 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
                          : options.environment.empty() ? "scene"
                                                        : options.environment,
                 .seed = values.seed,
-                .threads = threads.count()};
+                .threads = threads.count(),
+                .command = options.command,
+                .directory = std::filesystem::current_path().string()};
   Solution solution;
   if (options.integrator == "walkthrough") {
     const Stopwatch watch(report.seconds.indirect);
@@ -170,6 +173,8 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
   report.peakResidentBytes = peakResidentBytes();
   report.wallSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   io::writeTextFile(folder.file("report.json"), walkthrough::reportJson(report));
+  writeReportPage(options.out, std::nullopt, folder.file("report.html"), console.progress());
+  console.endProgress();
   console.result(summary(report, folder));
   return ExitStatus::kDone;
 }

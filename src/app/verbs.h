@@ -12,6 +12,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console);
 ExitStatus runCompare(const CompareOptions& options, Console& console);
 ExitStatus runPath(const PathOptions& options, Console& console);
 ExitStatus runEncode(const EncodeOptions& options, Console& console);
+ExitStatus runReport(const ReportOptions& options, Console& console);
 ExitStatus runInfo(const InfoOptions& options, Console& console);
 
 }  // namespace promenade::app

@@ -1,8 +1,16 @@
 #include "src/io/exr_maps.h"
 
+#include <OpenEXR/IexBaseExc.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfInputFile.h>
+
 #include <cassert>
 
+#include "src/core/errors.h"
 #include "src/io/exr_memory_internal.h"
+#include "src/io/file_error.h"
+#include "src/io/image_limits.h"
 
 namespace promenade::io {
 
@@ -17,6 +25,28 @@ void writeMaps(const std::filesystem::path& file, const MetricMaps& maps) {
     channels.push_back({"SignedP", Imf::FLOAT, maps.signedProbability.data(), sizeof(float)});
   }
   writeExr(file, Imf::Header(size.width, size.height), channels);
+}
+
+ProbabilityMap readProbability(const std::filesystem::path& file) {
+  requireRegularFile(file);
+  try {
+    Imf::InputFile in(file.c_str(), 0);
+    const Imath::Box2i window = in.header().dataWindow();
+    const Size size{window.max.x + 1, window.max.y + 1};
+    if (window.min != Imath::V2i(0, 0) || in.header().channels().findChannel("P") == nullptr) {
+      throw InputError(file.string(), "not a file of the metric's maps: no channel P");
+    }
+    requireReasonableSize(file, size);
+    ProbabilityMap probability(size);
+    Imf::FrameBuffer buffer;
+    buffer.insert("P", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(probability.pixels().data()),
+                                  sizeof(float), sizeof(float) * static_cast<std::size_t>(size.width)));
+    in.setFrameBuffer(buffer);
+    in.readPixels(0, size.height - 1);
+    return probability;
+  } catch (const Iex::BaseExc& error) {
+    throw InputError(file.string(), "cannot read as OpenEXR: " + firstLine(error.what()));
+  }
 }
 
 }  // namespace promenade::io

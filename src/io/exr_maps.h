@@ -20,4 +20,8 @@ struct MetricMaps {
 /// maps give the same bytes. Precondition (asserted): equal sizes, at least one pixel.
 void writeMaps(const std::filesystem::path& file, const MetricMaps& maps);
 
+/// The channel P of a file that writeMaps() wrote. Throws InputError if the file is missing, damaged, or has
+/// no such channel.
+[[nodiscard]] ProbabilityMap readProbability(const std::filesystem::path& file);
+
 }  // namespace promenade::io

@@ -8,6 +8,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// As a display file has it (docs/formats.md).
+Json displayJson(const DisplayModel& d) {
+  return {{"name", d.name},
+          {"resolution", {d.resolution.width, d.resolution.height}},
+          {"diagonal", d.diagonalMetres},
+          {"distance", d.viewingDistanceMetres},
+          {"peak", d.peakLuminance},
+          {"black", d.blackLuminance},
+          {"ambient", d.ambientIlluminance},
+          {"reflectance", d.screenReflectance},
+          {"transfer", d.transfer == TransferFunction::kSrgb     ? "srgb"
+                       : d.transfer == TransferFunction::kLinear ? "linear"
+                                                                 : "gamma2.2"}};
+}
+
 Json jobJson(const Report& report) {
   const Settings& s = report.settings;
   const JobDescription& job = report.job;
@@ -32,7 +47,10 @@ Json jobJson(const Report& report) {
           {"spp_automatic", job.pathsChosenAutomatically},
           {"tone", s.tone.curve == ToneCurve::kLinear ? "linear" : "neutral"},
           {"exposure_ev", s.tone.exposureEv},
-          {"pixels_per_degree", s.display.pixelsPerDegree()}};
+          {"pixels_per_degree", s.display.pixelsPerDegree()},
+          {"display_model", displayJson(s.display)},
+          {"command", job.command},
+          {"directory", job.directory}};
 }
 
 Json totalsJson(const Report& report) {
@@ -46,6 +64,7 @@ Json totalsJson(const Report& report) {
           {"traced_fraction", s.tracedFraction()},
           {"rays", s.rays.primary + s.rays.scattered + s.rays.shadow},
           {"visibility_rays", s.rays.visibility},
+          {"speedup_estimated", estimatedSpeedup(report)},
           {"seconds_wall", report.wallSeconds},
           {"seconds",
            {{"load", o.load},
@@ -62,6 +81,22 @@ Json totalsJson(const Report& report) {
 }
 
 }  // namespace
+
+double estimatedSpeedup(const Report& report) {
+  const Statistics& s = report.statistics;
+  double seconds = 0.0;
+  std::uint64_t samples = 0;
+  for (const FrameStatistics& frame : s.frames) {
+    if (frame.kind != FrameKind::kKeyframe) continue;
+    seconds += frame.seconds;
+    samples += frame.samplesTraced;
+  }
+  if (samples == 0 || !(report.wallSeconds > 0.0)) return 0.0;
+  const OutsideSeconds& o = report.seconds;
+  const double same = o.load + o.indirect + o.prepare + o.encode + o.write + s.seconds.filter;
+  const double traced = seconds / static_cast<double>(samples) * static_cast<double>(s.samples());
+  return (same + traced) / report.wallSeconds;
+}
 
 std::string reportJson(const Report& report) {
   Json segments = Json::array();

@@ -21,6 +21,8 @@ struct JobDescription {
   bool pathsChosenAutomatically = false;
   std::uint64_t seed = 0;
   int threads = 0;
+  std::string command;    ///< what repeats the job, for a shell
+  std::string directory;  ///< where it was given
 };
 
 /// The view-independent solution of the light on matt surfaces that a run used.
@@ -53,6 +55,11 @@ struct Report {
   /// Frames before this one were there from an earlier run of the job and are not in the statistics.
   int resumedFrom = 0;
 };
+
+/// How many times longer every frame ray traced would have taken: what the keyframes took a sample, times all
+/// samples, with the same loading, light solution, filtering and output, over the wall time. 0 where there is
+/// no keyframe to go by.
+[[nodiscard]] double estimatedSpeedup(const Report& report);
 
 [[nodiscard]] std::string reportJson(const Report& report);
 

@@ -28,7 +28,7 @@ class Verbs : public InFolder {
 };
 
 TEST_F(Verbs, HelpOfEachVerbHasAnExample) {
-  for (const char* verb : {"render", "compare", "path", "encode", "info"}) {
+  for (const char* verb : {"render", "compare", "path", "encode", "report", "info"}) {
     const Outcome outcome = run({verb, "--help"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out, testing::HasSubstr("Example:\n  promenade " + std::string(verb)));
@@ -141,6 +141,22 @@ TEST_F(Verbs, EncodeMakesAVideoOfAPart) {
                 "--crop: expected a part of the frames, which are 40x30");
   expectRefused(run({"encode", a, at("part2.mkv"), "--frames", "3-9"}), "expected frames within 0-4");
   EXPECT_FALSE(fs::exists(at("part2.mkv")));
+}
+
+TEST_F(Verbs, ReportMakesThePageAgain) {
+  const std::string a = rendered("a", "40x30", "0-2");
+  const std::string page = contents(at("a/report.html"));
+  EXPECT_THAT(page, testing::HasSubstr("data:image/webp;base64,"));
+  fs::remove(at("a/report.html"));
+  expectDone(run({"report", a, "--quiet"}));
+  EXPECT_EQ(contents(at("a/report.html")), page);
+  const std::string b = rendered("b", "40x31", "0-2");
+  expectRefused(run({"report", a, "--reference", b}), "a reference has the size of the result");
+  const std::string c = rendered("c", "40x30", "0-1");
+  expectRefused(run({"report", a, "--reference", c}), "000002.exr");
+  expectRefused(run({"report", at("missing")}), "there is no report.json in it");
+  writeText(at("a/report.json"), R"({"job": {}})");
+  expectRefused(run({"report", a}), "not a report of Promenade");
 }
 
 TEST_F(Verbs, InfoSaysWhatWasRead) {

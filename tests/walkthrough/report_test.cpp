@@ -21,7 +21,9 @@ Report threeFrames() {
            .pathsPerSample = 64,
            .pathsChosenAutomatically = true,
            .seed = 7,
-           .threads = 2};
+           .threads = 2,
+           .command = "promenade render 'a<b>.glb'",
+           .directory = "/home/me"};
   r.settings.size = {10, 5};
   r.settings.supersample = 2;
   r.settings.frames = {4, 6};
@@ -80,6 +82,10 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(job["display"], "fhd-24");
   EXPECT_EQ(job["seed"], 7);
   EXPECT_EQ(job["threads"], 2);
+  EXPECT_EQ(job["command"], "promenade render 'a<b>.glb'");
+  EXPECT_EQ(job["directory"], "/home/me");
+  EXPECT_EQ(job["display_model"]["resolution"], json::parse("[1920, 1080]"));
+  EXPECT_EQ(job["display_model"]["transfer"], "srgb");
   const json& totals = root["totals"];
   EXPECT_EQ(totals["frames"], 3);
   EXPECT_EQ(totals["keyframes"], 2);
@@ -90,6 +96,9 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["rays"], 1920);                                  // without the visibility rays
   EXPECT_EQ(totals["visibility_rays"], 200);
   EXPECT_EQ(totals["seconds_wall"], 8.0);
+  // Two keyframes took 4.5 s for 400 samples, so 600 samples 6.75 s; loading, preparing, filtering, encoding
+  // and writing 1 + 0.6 + 0.4 + 0.2 + 0.3 = 2.5 s either way: 9.25 s over 8 s.
+  EXPECT_DOUBLE_EQ(totals["speedup_estimated"].get<double>(), 9.25 / 8.0);
   EXPECT_EQ(totals["peak_rss_bytes"], 1000000);
   for (const char* part :
        {"load", "indirect", "trace", "visibility", "warp", "metric", "filter", "encode", "write"}) {
