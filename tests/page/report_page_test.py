@@ -20,14 +20,16 @@ FOLDER = pathlib.Path()
 
 def write_scene(folder):
     """A square that a camera passes: 9 frames at 8 a second, and a name that must not break out of the page."""
-    points = struct.pack("<12f", -2, -1, -3, 2, -1, -3, 2, 1, -3, -2, 1, -3)
+    points = struct.pack("<12f", -1, -1, -3, 1, -1, -3, 1, 1, -3, -1, 1, -3)
     indices = struct.pack("<6H", 0, 1, 2, 0, 2, 3)
     (folder / "square.bin").write_bytes(points + indices)
     views = [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}]
-    accessors = [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-2, -1, -3], "max": [2, 1, -3]},
+    accessors = [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, -3], "max": [1, 1, -3]},
                  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]
     scene = {"asset": {"version": "2.0"}, "buffers": [{"uri": "square.bin", "byteLength": 60}], "bufferViews": views,
-             "accessors": accessors, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+             "accessors": accessors, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+             # Dark, so that it can be told from the white sky that a scene without lights gets.
+             "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.6, 1], "metallicFactor": 0}}],
              "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}
     file = folder / "a<b>& 'square'.gltf"
     file.write_text(json.dumps(scene))
