@@ -2,10 +2,15 @@
 #include <algorithm>
 #include <array>
 
+#include "src/app/completion.h"
 #include "src/app/config_file.h"
+#include "src/app/man_page.h"
+#include "src/app/option_values.h"
 #include "src/app/options.h"
 #include "src/app/printable.h"
 #include "src/app/shell_words.h"
+#include "src/app/verb_help.h"
+#include "src/app/version.h"
 #include "src/core/errors.h"
 #include "src/core/nearest_name.h"
 #include "src/io/text_file.h"
@@ -290,50 +295,10 @@ void parseVerb(CLI::App& verb, const std::vector<std::string>& arguments) {
   }
 }
 
-std::string generalHelp() {
-  std::string text =
-      "Promenade: walkthrough animations of static scenes, by image-based rendering under a perceptual "
-      "metric\n\n"
-      "Usage: promenade VERB ...\n\n";
-  for (const VerbEntry& entry : kVerbs) {
-    std::string name(entry.name);
-    name.resize(10, ' ');
-    text += "  " + name + entry.about + "\n";
-  }
-  return text +
-         "\n  --help     this text; promenade VERB --help describes a verb\n  --version  the version\n\n"
-         "Example:\n  promenade render hall.glb --size 640x360 --out walk\n";
-}
-
-}  // namespace
-
-CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
-  CommandLine line;
-  if (arguments.empty())
-    throw InputError("expected a verb: render, compare, path, encode or info (promenade --help)");
-  const std::string& first = arguments.front();
-  if (first == "--help" || first == "-h" || first == "help") {
-    line.text = generalHelp();
-    return line;
-  }
-  if (first == "--version") {
-    line.text = std::string("promenade ") + PROMENADE_VERSION + "\n";
-    return line;
-  }
-  const auto entry =
-      std::find_if(kVerbs.begin(), kVerbs.end(), [&](const VerbEntry& e) { return first == e.name; });
-  if (entry == kVerbs.end()) {
-    if (first.starts_with("-")) {
-      throw InputError("unknown option '" + printable(first) + "' before the verb; did you mean '" +
-                       nearest(first, {"--help", "--version"}) + "'?");
-    }
-    throw InputError("unknown verb '" + printable(first) + "'; did you mean '" + nearest(first, verbNames()) +
-                     "'?");
-  }
-
-  CLI::App verb(entry->about, entry->name);
+// What every verb knows, too.
+void addVerb(CLI::App& verb, Verb which, CommandLine& line, std::string& config) {
   verb.get_formatter()->column_width(28);
-  switch (entry->verb) {
+  switch (which) {
     case Verb::kRender:
       addRender(verb, line.render);
       break;
@@ -355,17 +320,124 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     case Verb::kHelpOnly:
       break;
   }
-  std::string config;
   verb.add_option("--config", config, "TOML or JSON file with options; typed ones win");
   verb.add_flag("--quiet", line.console.quiet, "Neither progress nor notices");
-  verb.add_option("--log-level", line.console.logLevel, "trace, debug, info, warning, error, critical or off")
+  verb.add_option("--log-level", line.console.logLevel, "How much is said on standard error")
       ->capture_default_str();
   for (CLI::Option* option : verb.get_options()) {
+    const std::string values = valuesOf(option->get_name());
+    if (!values.empty() && option->get_expected_max() > 0) option->type_name(values);
     // The last of a repeated option wins, so that a command can be recalled and amended.
     if (!option->get_positional() && option->get_expected_max() == 1) {
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     }
   }
+}
+
+// `name` is one of the option's: a flag and its opposite are described apart.
+OptionHelp helpOf(const CLI::Option& option, const std::string& name) {
+  OptionHelp help;
+  help.argument = option.get_positional();
+  help.name = name;
+  if (option.get_expected_max() > 0) help.value = option.get_type_name();
+  help.about = option.get_description();
+  help.otherwise = option.get_default_str();
+  if (option.get_group() != "Options") help.group = option.get_group();
+  help.required = option.get_required();
+  return help;
+}
+
+// `completion SHELL` and `man [VERB]`: text made of the same description; nothing if it is neither.
+std::optional<std::string> madeOfHelp(const std::vector<std::string>& arguments) {
+  const std::string& first = arguments.front();
+  if (first == "completion") {
+    const std::string shell = arguments.size() == 2 ? arguments[1] : "";
+    if (shell == "bash") return bashCompletion(describeVerbs());
+    if (shell == "zsh") return zshCompletion(describeVerbs());
+    throw InputError("completion: expected bash or zsh");
+  }
+  if (first != "man") return std::nullopt;
+  if (arguments.size() < 2) return manPage(describeVerbs(), PROMENADE_VERSION);
+  for (const VerbHelp& verb : describeVerbs()) {
+    if (verb.name == arguments[1]) return manPageOf(verb, PROMENADE_VERSION);
+  }
+  throw InputError("man: unknown verb '" + printable(arguments[1]) + "'; did you mean '" +
+                   nearest(arguments[1], verbNames()) + "'?");
+}
+
+std::string generalHelp() {
+  std::string text =
+      "Promenade: walkthrough animations of static scenes, by image-based rendering under a perceptual "
+      "metric\n\n"
+      "Usage: promenade VERB ...\n\n";
+  for (const VerbEntry& entry : kVerbs) {
+    std::string name(entry.name);
+    name.resize(10, ' ');
+    text += "  " + name + entry.about + "\n";
+  }
+  return text +
+         "\n  --help     this text; promenade VERB --help describes a verb\n  --version  versions of the "
+         "program "
+         "and its libraries\n  completion bash|zsh  completion script for a shell\n  man [VERB]           "
+         "manual "
+         "page\n\n"
+         "Example:\n  promenade render hall.glb --size 640x360 --out walk\n";
+}
+
+}  // namespace
+
+std::vector<VerbHelp> describeVerbs() {
+  constexpr std::string_view kExample = "Example:\n  ";
+  std::vector<VerbHelp> verbs;
+  for (const VerbEntry& entry : kVerbs) {
+    CLI::App verb(entry.about, entry.name);
+    CommandLine line;
+    std::string config;
+    addVerb(verb, entry.verb, line, config);
+    VerbHelp help{entry.name, entry.about, verb.get_footer(), {}};
+    if (help.example.starts_with(kExample)) help.example.erase(0, kExample.size());
+    for (const CLI::Option* option : verb.get_options()) {
+      if (option->check_lname("help")) continue;
+      if (option->get_positional()) help.options.push_back(helpOf(*option, option->get_name()));
+      for (const std::string& name : option->get_lnames())
+        help.options.push_back(helpOf(*option, "--" + name));
+    }
+    verbs.push_back(std::move(help));
+  }
+  return verbs;
+}
+
+CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
+  CommandLine line;
+  if (arguments.empty())
+    throw InputError("expected a verb: render, compare, path, encode, report or info (promenade --help)");
+  const std::string& first = arguments.front();
+  if (const auto text = madeOfHelp(arguments)) {
+    line.text = *text;
+    return line;
+  }
+  if (first == "--help" || first == "-h" || first == "help") {
+    line.text = generalHelp();
+    return line;
+  }
+  if (first == "--version") {
+    line.text = versionText();
+    return line;
+  }
+  const auto entry =
+      std::find_if(kVerbs.begin(), kVerbs.end(), [&](const VerbEntry& e) { return first == e.name; });
+  if (entry == kVerbs.end()) {
+    if (first.starts_with("-")) {
+      throw InputError("unknown option '" + printable(first) + "' before the verb; did you mean '" +
+                       nearest(first, {"--help", "--version"}) + "'?");
+    }
+    throw InputError("unknown verb '" + printable(first) + "'; did you mean '" + nearest(first, verbNames()) +
+                     "'?");
+  }
+
+  CLI::App verb(entry->about, entry->name);
+  std::string config;
+  addVerb(verb, entry->verb, line, config);
   // `--display ?` lists the presets, whatever else is there.
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (arguments[i] == "--display=?" || (arguments[i] == "?" && arguments[i - 1] == "--display")) {

@@ -97,6 +97,15 @@ DisplayModel displayNamed(const std::string& nameOrFile) {
                    nearestName(nameOrFile, known) + "'? (--display ? lists them)");
 }
 
+std::string displayNames() {
+  std::string names;
+  for (const DisplayPreset& preset : displayPresets()) {
+    if (!names.empty()) names += '|';
+    names += displayFromJson(std::string(preset.json), std::string(preset.fileName)).name;
+  }
+  return names;
+}
+
 std::string displayList() {
   std::string list;
   for (const DisplayPreset& preset : displayPresets()) {

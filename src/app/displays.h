@@ -15,6 +15,9 @@ namespace promenade::app {
 /// in DisplayModel, which is the default preset. Unknown keys are errors.
 [[nodiscard]] DisplayModel displayFromJson(const std::string& text, const std::string& fileName);
 
+/// The presets' names, separated by '|'.
+[[nodiscard]] std::string displayNames();
+
 /// One line a preset, for `--display ?`.
 [[nodiscard]] std::string displayList();
 

@@ -16,9 +16,7 @@
 namespace promenade::app {
 namespace {
 
-ExitStatus run(const std::vector<std::string>& arguments) {
-  const CommandLine line = parseCommandLine(arguments);
-  Console console(line.console);
+ExitStatus runVerb(const CommandLine& line, Console& console) {
   switch (line.verb) {
     case Verb::kRender:
       return runRender(line.render, console);
@@ -39,8 +37,21 @@ ExitStatus run(const std::vector<std::string>& arguments) {
   return ExitStatus::kDone;
 }
 
+ExitStatus run(const std::vector<std::string>& arguments) {
+  const CommandLine line = parseCommandLine(arguments);
+  Console console(line.console);
+  try {
+    return runVerb(line, console);
+  } catch (const std::exception& error) {
+    console.logError(error.what());
+    throw;
+  }
+}
+
 ExitStatus failed(const std::string& message, ExitStatus status) {
-  std::fprintf(stderr, "promenade: error: %s\n", printable(message).c_str());
+  const bool colours = coloursOnStderr();
+  std::fprintf(stderr, "promenade: %serror%s: %s\n", colours ? "\x1b[31;1m" : "", colours ? "\x1b[m" : "",
+               printable(message).c_str());
   return status;
 }
 

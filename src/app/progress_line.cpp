@@ -22,7 +22,7 @@ std::string duration(double seconds) {
   return formatted("%lldh %02lldm", s / 3600, s % 3600 / 60);
 }
 
-std::string progressLine(const Progress& progress, double elapsedSeconds) {
+std::string progressLine(const Progress& progress, double elapsedSeconds, std::optional<double> secondsLeft) {
   const double done = static_cast<double>(progress.done);
   const double total = static_cast<double>(progress.total);
   std::string line = std::string(progress.what) +
@@ -32,12 +32,15 @@ std::string progressLine(const Progress& progress, double elapsedSeconds) {
   if (progress.done == 0 || elapsedSeconds <= 0.0) return line;
   const double rate = done / elapsedSeconds;
   line += rate >= 1.0 ? formatted("  %.1f/s", rate) : formatted("  %.1fs each", 1.0 / rate);
-  if (progress.done < progress.total) line += "  " + duration((total - done) / rate) + " left";
+  if (progress.done < progress.total) {
+    line += "  " + duration(secondsLeft.value_or((total - done) / rate)) + " left";
+  }
   return line;
 }
 
-std::string progressBar(const Progress& progress, double elapsedSeconds, int columns) {
-  const std::string line = progressLine(progress, elapsedSeconds);
+std::string progressBar(const Progress& progress, double elapsedSeconds, int columns,
+                        std::optional<double> secondsLeft) {
+  const std::string line = progressLine(progress, elapsedSeconds, secondsLeft);
   const int width = std::clamp(columns - static_cast<int>(line.size()) - 5, 0, 40);
   if (width < 8) return line.substr(0, static_cast<std::size_t>(std::max(columns - 1, 0)));
   const double share =

@@ -1,6 +1,8 @@
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
+#include "src/app/forecast.h"
 #include "src/app/frame_output.h"
 #include "src/app/interrupt.h"
 #include "src/app/machine.h"
@@ -9,6 +11,7 @@
 #include "src/app/report_page.h"
 #include "src/app/solved_light.h"
 #include "src/app/threads.h"
+#include "src/app/timed_renderer.h"
 #include "src/app/verbs.h"
 #include "src/core/errors.h"
 #include "src/io/text_file.h"
@@ -70,6 +73,28 @@ int resumeAt(const walkthrough::Settings& settings, int finished) {
   return settings.frames.first + whole * settings.keyframeSpacing;
 }
 
+// The walk, with an estimate as soon as a keyframe is measured, and the time that is left.
+walkthrough::Statistics renderWithForecast(const paths::CameraPath& path, const Renderer& renderer,
+                                           const walkthrough::Settings& settings,
+                                           walkthrough::Outputs outputs, Console& console) {
+  const bool full = settings.method == walkthrough::Method::kFull;
+  Forecast forecast(settings.frames.count(), full ? 1 : settings.keyframeSpacing);
+  const TimedRenderer timed(renderer, [&, first = true](double seconds) mutable {
+    forecast.keyframeRendered(seconds);
+    if (std::exchange(first, false)) console.info(forecast.firstEstimate());
+  });
+  const auto start = Clock::now();
+  outputs.frame = [&, store = std::move(outputs.frame)](walkthrough::FinishedFrame&& frame) {
+    forecast.frameFinished(frame.kind == walkthrough::FrameKind::kKeyframe);
+    store(std::move(frame));
+  };
+  outputs.progress = console.progress(
+      [&] { return forecast.secondsLeft(std::chrono::duration<double>(Clock::now() - start).count()); });
+  // The clock of rate and time left starts here.
+  outputs.progress({"frames", 0, static_cast<std::uint64_t>(settings.frames.count())});
+  return walkthrough::renderWalkthrough(path, timed, settings, outputs);
+}
+
 std::string summary(const walkthrough::Report& report, const OutputFolder& folder) {
   const walkthrough::Statistics& s = report.statistics;
   char text[256];
@@ -93,11 +118,12 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     scene = sceneFor(options);
     path = walkFor(options, values, scene);
   }
-  for (const std::string& warning : scene.warnings) console.warning(scene.source + ": " + warning);
   throwIfInterrupted();
   walkthrough::Settings settings = settingsFor(options, values, path);
   const std::string hash = jobHash(options, settings, scene, path);
   const OutputFolder folder(options.out, hash, options.overwrite ? Existing::kOverwrite : Existing::kResume);
+  console.keepLog(folder.file("promenade.log"), options.command);
+  for (const std::string& warning : scene.warnings) console.warning(scene.source + ": " + warning);
   const std::filesystem::path video =
       options.video.empty() ? folder.file("walkthrough.mp4") : std::filesystem::path(options.video);
   const int finished = folder.finishedFrom(settings.frames.first, settings.frames.last);
@@ -153,7 +179,6 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     folder.makeMapsFolder();
     outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { output.addMiddle(middle); };
   }
-  outputs.progress = console.progress();
   report.settings = settings;
   report.resumedFrom = settings.frames.first;
   if (finished < settings.frames.count()) {
@@ -161,9 +186,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     remaining.frames.first = resumeAt(settings, finished);
     report.resumedFrom = remaining.frames.first;
     if (finished > 0) console.info("going on at frame " + std::to_string(remaining.frames.first));
-    // The clock of rate and time left starts here.
-    outputs.progress({"frames", 0, static_cast<std::uint64_t>(remaining.frames.count())});
-    report.statistics = walkthrough::renderWalkthrough(path, *renderer, remaining, outputs);
+    report.statistics = renderWithForecast(path, *renderer, remaining, std::move(outputs), console);
   }
   output.finish();
   console.endProgress();

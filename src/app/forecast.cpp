@@ -1,0 +1,47 @@
+#include "src/app/forecast.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "src/app/progress_line.h"
+
+namespace promenade::app {
+
+void Forecast::keyframeRendered(double seconds) {
+  ++keyframesRendered_;
+  secondsInKeyframes_ += seconds;
+}
+
+void Forecast::frameFinished(bool keyframe) {
+  ++framesFinished_;
+  if (keyframe) ++keyframesFinished_;
+}
+
+double Forecast::keyframeSeconds() const {
+  return keyframesRendered_ > 0 ? secondsInKeyframes_ / keyframesRendered_ : 0.0;
+}
+
+std::string Forecast::firstEstimate() const {
+  // The first frame, every spacing-th after it, and the last.
+  const int fewest = frames_ == 1 ? 1 : 1 + (frames_ - 1 + spacing_ - 1) / spacing_;
+  const double each = keyframeSeconds();
+  char text[160];
+  if (each < 1.0) {
+    std::snprintf(text, sizeof(text), "a keyframe takes %.2fs", each);
+  } else {
+    std::snprintf(text, sizeof(text), "a keyframe takes %s", duration(each).c_str());
+  }
+  std::string line = text;
+  line += ": " + duration(fewest * each);
+  if (fewest < frames_) line += " to " + duration(frames_ * each);
+  return line + " for " + (frames_ == 1 ? "the frame" : "all " + std::to_string(frames_) + " frames");
+}
+
+std::optional<double> Forecast::secondsLeft(double elapsed) const {
+  if (framesFinished_ == 0) return std::nullopt;
+  const double ahead = (keyframesRendered_ - keyframesFinished_) * keyframeSeconds();
+  const double each = std::max(elapsed - ahead, 0.0) / framesFinished_;
+  return std::max((frames_ - framesFinished_) * each - ahead, 0.0);
+}
+
+}  // namespace promenade::app

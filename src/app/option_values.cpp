@@ -1,0 +1,85 @@
+#include "src/app/option_values.h"
+
+#include <algorithm>
+#include <array>
+
+#include "src/app/displays.h"
+
+namespace promenade::app {
+namespace {
+
+struct Values {
+  const char* name;
+  const char* values;
+};
+
+constexpr std::array kValues = {
+    Values{"scene", "FILE"},
+    Values{"file", "FILE"},
+    Values{"test", "FILE"},
+    Values{"reference", "FILE"},
+    Values{"input", "FILE"},
+    Values{"output", "FILE"},
+    Values{"folder", "DIR"},
+    Values{"--out", "DIR"},
+    Values{"--path", "NAME|FILE"},
+    Values{"--size", "WxH"},
+    Values{"--fps", "RATE"},
+    Values{"--frames", "A-B"},
+    Values{"--supersample", "N"},
+    Values{"--spp", "auto|N"},
+    Values{"--tolerance", "PERCENT"},
+    Values{"--spacing", "N"},
+    Values{"--method", "ibr|full"},
+    Values{"--integrator", "path|walkthrough"},
+    Values{"--light-solution", "FILE"},
+    Values{"--tone", "neutral|linear"},
+    Values{"--exposure", "auto|EV"},
+    Values{"--environment", "FILE"},
+    Values{"--sun", "ELEVATION,AZIMUTH"},
+    Values{"--video", "FILE"},
+    Values{"--threads", "N"},
+    Values{"--seed", "N"},
+    Values{"--metric", "aqm|aqm2000|revised|vdp|model1|model2|model3|rmse|psnr"},
+    Values{"--eye", "tracking|fixating|stabilised"},
+    Values{"--velocity", "VX,VY"},
+    Values{"--ambient", "LUX"},
+    Values{"--ppd", "N"},
+    Values{"--maps", "DIR"},
+    Values{"--heatmap", "DIR"},
+    Values{"--csv", "FILE"},
+    Values{"--fail-above", "PERCENT"},
+    Values{"--plot", "FILE"},
+    Values{"--crop", "WxH+X+Y"},
+    Values{"--reference", "DIR"},
+    Values{"--config", "FILE"},
+    Values{"--layer", "NAME"},
+    Values{"--name", "NAME"},
+    Values{"--mask", "FILE"},
+    Values{"--verify", "PERCENT"},
+    Values{"--contrast", "global|local"},
+    Values{"--filters", "energy|amplitude|laplacian"},
+    Values{"--bands", "N"},
+    Values{"--orientations", "N"},
+    Values{"--csf", "kelly|moving|daly|mannos"},
+    Values{"--csf-at", "bands|centres"},
+    Values{"--onset", "HZ"},
+    Values{"--masking", "mutual|test|reference|none"},
+    Values{"--elevation", "unit|daly"},
+    Values{"--pooling", "half-degree|none"},
+    Values{"--gain", "N"},
+    Values{"--log-level", "trace|debug|info|warning|error|critical|off"},
+};
+
+}  // namespace
+
+std::string valuesOf(const std::string& name) {
+  if (name == "--display") return displayNames() + "|FILE";
+  if (name == "--to") return "FORMAT FILE";
+  if (name.starts_with("--max-")) return "N";
+  const auto* found =
+      std::find_if(kValues.begin(), kValues.end(), [&](const Values& v) { return name == v.name; });
+  return found == kValues.end() ? std::string() : found->values;
+}
+
+}  // namespace promenade::app
