@@ -40,7 +40,8 @@ void addRender(CLI::App& verb, RenderOptions& o) {
   verb.add_option("--fps", o.fps, "Frame rate (default: the path's, else 25)");
   verb.add_option("--frames", o.frames, "Only frames A-B, numbered from 0");
   verb.add_option("--supersample", o.supersample, "Samples along a pixel's edge")->capture_default_str();
-  verb.add_option("--spp", o.spp, "Paths a sample, or 'auto': until the metric sees no noise")
+  verb.add_option("--spp", o.spp,
+                  "Paths a sample, or 'auto': in every part of a frame until a viewer would not see noise")
       ->capture_default_str();
   verb.add_option("--tolerance", o.tolerance, "Per cent of pixels that may differ visibly")
       ->capture_default_str();
@@ -99,6 +100,32 @@ void addPipeline(CLI::App& verb, PipelineOptions& o) {
   add("--elevation", o.elevation, "How masking raises thresholds: unit (slope 1), or daly (0.7 to 1)");
   add("--pooling", o.pooling, "What is seen together: half-degree, or none (each pixel by itself)");
   add("--gain", o.gain, "What responses are multiplied by");
+}
+
+void addConverge(CLI::App& verb, ConvergeOptions& o) {
+  verb.add_option("scene", o.job.scene, "Scene: .glb or .gltf")->required();
+  verb.add_option("--out", o.job.out, "Folder for convergence.csv and convergence.svg")->required();
+  verb.add_option("--path", o.job.path,
+                  "Camera path: a file, or an animation or camera of the scene by name");
+  verb.add_option("--frame", o.frame, "Frame of the path, numbered from 0")->capture_default_str();
+  verb.add_option("--size", o.job.size, "Frame size in pixels")->capture_default_str();
+  verb.add_option("--supersample", o.job.supersample, "Samples along a pixel's edge")->capture_default_str();
+  verb.add_option("--most-spp", o.mostPaths, "Paths a sample at the end of each curve; a power of two")
+      ->capture_default_str();
+  verb.add_option("--converged-spp", o.convergedPaths,
+                  "Paths a sample of the converged image (path tracing, another seed); a power of two")
+      ->capture_default_str();
+  verb.add_option("--display", o.job.display, "Display preset or file; ? lists them")->capture_default_str();
+  verb.add_option("--tone", o.job.tone, "Tone curve: neutral or linear")->capture_default_str();
+  verb.add_option("--exposure", o.job.exposure, "Stops, or 'auto'")->capture_default_str();
+  verb.add_option("--environment", o.job.environment, "Light from infinity: a lat-long .exr or .hdr image");
+  verb.add_flag("--sky", o.job.sky, "Light from infinity: a clear daylight sky");
+  verb.add_option("--sun", o.job.sun, "Where --sky has its sun: elevation and azimuth in degrees")
+      ->capture_default_str();
+  verb.add_option("--threads", o.job.threads, "Threads, 0: all")->capture_default_str();
+  verb.add_option("--seed", o.job.seed, "Seed of the random numbers")->capture_default_str();
+  addSceneOptions(verb, o.job.load);
+  verb.footer("Example:\n  promenade converge hall.glb --frame 40 --out curves");
 }
 
 void addCompare(CLI::App& verb, CompareOptions& o) {
@@ -197,6 +224,8 @@ constexpr std::array<VerbEntry, 6> kVerbs = {{
      "Make a video of rendered frames with another tone mapping, crop or frame rate"},
     {Verb::kReport, "report", "Make the page report.html of a rendered folder again, with a reference"},
     {Verb::kInfo, "info", "What a scene holds"},
+    {Verb::kConverge, "converge",
+     "How fast do the ways to light a scene become, to a viewer, the converged picture?"},
 }};
 
 std::vector<std::string> verbNames() {
@@ -316,6 +345,9 @@ void addVerb(CLI::App& verb, Verb which, CommandLine& line, std::string& config)
       break;
     case Verb::kInfo:
       addInfo(verb, line.info);
+      break;
+    case Verb::kConverge:
+      addConverge(verb, line.converge);
       break;
     case Verb::kHelpOnly:
       break;

@@ -30,6 +30,8 @@ ExitStatus runVerb(const CommandLine& line, Console& console) {
       return runReport(line.report, console);
     case Verb::kInfo:
       return runInfo(line.info, console);
+    case Verb::kConverge:
+      return runConverge(line.converge, console);
     case Verb::kHelpOnly:
       console.result(line.text == "?" ? displayList() : line.text);
       return ExitStatus::kDone;

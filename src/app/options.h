@@ -103,7 +103,15 @@ struct InfoOptions {
   SceneOptions load;
 };
 
-enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kReport, kInfo };
+struct ConvergeOptions {
+  ConvergeOptions() { job.size = "160x90"; }
+  RenderOptions job;  ///< scene, path, size, light, display and so on
+  std::string frame = "0";
+  std::string mostPaths = "256";
+  std::string convergedPaths = "1024";
+};
+
+enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kReport, kInfo, kConverge };
 
 struct CommandLine {
   Verb verb = Verb::kHelpOnly;
@@ -115,6 +123,7 @@ struct CommandLine {
   EncodeOptions encode;
   ReportOptions report;
   InfoOptions info;
+  ConvergeOptions converge;
 };
 
 /// `arguments` without the program's name. Reads --config. Throws InputError for unknown or missing

@@ -104,6 +104,7 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   }
   s.method = values.method;
   s.tolerancePercent = values.tolerancePercent;
+  if (!values.pathsPerSample) s.stopping = walkthrough::StoppingRule{};
   s.keyframeSpacing = values.spacing;
   s.probeShare = values.verifyPercent / 100.0;
   s.seed = values.seed;

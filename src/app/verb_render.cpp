@@ -16,7 +16,6 @@
 #include "src/core/errors.h"
 #include "src/io/text_file.h"
 #include "src/render/path_renderer.h"
-#include "src/walkthrough/noise.h"
 #include "src/walkthrough/report.h"
 
 namespace promenade::app {
@@ -36,32 +35,19 @@ std::unique_ptr<Renderer> rendererFor(const Scene& scene, int pathsPerSample, st
                                           .checkpoint = [] { throwIfInterrupted(); }});
 }
 
-// Exposure and paths a sample where they were left to the program.
-void chooseAutomatically(const RenderValues& values, const Scene& scene, const paths::CameraPath& path,
-                         const Solution& solution, walkthrough::Settings& settings,
-                         walkthrough::JobDescription& job, Console& console) {
-  if (!values.exposureEv) {
-    const auto renderer = rendererFor(scene, 16, values.seed, job.threads, solution);
-    settings.tone.exposureEv =
-        walkthrough::automaticExposure(path, settings.frames, *renderer, settings.size);
+// Of --spp auto: the paths ran out before a viewer would have called the frames done.
+void warnOfNoise(const walkthrough::Statistics& statistics, Console& console) {
+  int tiles = 0;
+  int frames = 0;
+  for (const walkthrough::FrameStatistics& frame : statistics.frames) {
+    if (!frame.stopping || frame.stopping->openTiles == 0) continue;
+    tiles += frame.stopping->openTiles;
+    ++frames;
   }
-  job.pathsPerSample = values.pathsPerSample.value_or(0);
-  job.pathsChosenAutomatically = !values.pathsPerSample;
-  if (values.pathsPerSample) return;
-  const auto verdict = walkthrough::pathsForInvisibleNoise(
-      path, settings,
-      [&](int paths, std::uint64_t seed) {
-        return rendererFor(scene, paths, values.seed + seed, job.threads, solution);
-      },
-      {});
-  job.pathsPerSample = verdict.pathsPerSample;
-  char text[160];
-  std::snprintf(text, sizeof(text),
-                "%d paths a sample: two renders of a frame differ visibly on %.2f%% of the pixels",
-                verdict.pathsPerSample, verdict.worstPercent);
-  verdict.worstPercent > walkthrough::NoiseSettings{}.tolerancePercent
-      ? console.warning(std::string(text) + "; noise will be visible and may split segments")
-      : console.info(text);
+  if (frames == 0) return;
+  console.warning(std::to_string(frames) + " frames are still noisy after " +
+                  std::to_string(walkthrough::StoppingRule{}.mostPaths) + " paths a sample, in " +
+                  std::to_string(tiles) + " tiles; noise may be visible and split segments");
 }
 
 // The first frame that must be rendered again so that the rest comes out as if the job had never stopped: the
@@ -144,6 +130,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
                 .light = options.sky                   ? "sky"
                          : options.environment.empty() ? "scene"
                                                        : options.environment,
+                .pathsPerSample = values.pathsPerSample,
                 .seed = values.seed,
                 .threads = threads.count(),
                 .command = options.command,
@@ -160,14 +147,16 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
     solution = std::move(light.solution);
     report.light = std::move(light.report);
   }
-  {
-    const Stopwatch watch(report.seconds.prepare);
-    chooseAutomatically(values, scene, path, solution, settings, report.job, console);
-  }
   std::unique_ptr<Renderer> renderer;
   {
     const Stopwatch watch(report.seconds.load);
-    renderer = rendererFor(scene, report.job.pathsPerSample, values.seed, report.job.threads, solution);
+    renderer = rendererFor(scene, values.pathsPerSample.value_or(render::PathSettings{}.pathsPerSample),
+                           values.seed, report.job.threads, solution);
+  }
+  if (!values.exposureEv) {
+    const Stopwatch watch(report.seconds.prepare);
+    settings.tone.exposureEv =
+        walkthrough::automaticExposure(path, settings.frames, *renderer, settings.size);
   }
 
   FrameOutput output(folder, path, settings.size, {video, settings.tone, options.scene, hash});
@@ -190,6 +179,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
   }
   output.finish();
   console.endProgress();
+  warnOfNoise(report.statistics, console);
 
   report.seconds.encode = output.secondsEncoding();
   report.seconds.write = output.secondsWriting();

@@ -14,5 +14,6 @@ ExitStatus runPath(const PathOptions& options, Console& console);
 ExitStatus runEncode(const EncodeOptions& options, Console& console);
 ExitStatus runReport(const ReportOptions& options, Console& console);
 ExitStatus runInfo(const InfoOptions& options, Console& console);
+ExitStatus runConverge(const ConvergeOptions& options, Console& console);
 
 }  // namespace promenade::app

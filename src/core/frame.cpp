@@ -1,8 +1,20 @@
 #include "src/core/frame.h"
 
+#include <utility>
+
 #include <cassert>
 
 namespace promenade {
+
+Frame unshaded(Visibility&& visibility) {
+  Frame frame;
+  frame.visibility = std::move(visibility);
+  const Size size = frame.visibility.camera.size();
+  frame.diffuse = RadianceMap(size);
+  frame.viewDependent = RadianceMap(size);
+  frame.source = SourceMap(size, SampleSource::kTraced);
+  return frame;
+}
 
 RadianceMap combinedRadiance(const Frame& frame) {
   assert(frame.diffuse.size() == frame.viewDependent.size());

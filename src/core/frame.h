@@ -38,6 +38,9 @@ struct Frame {
   SourceMap source;
 };
 
+/// Black, to be traced.
+[[nodiscard]] Frame unshaded(Visibility&& visibility);
+
 /// diffuse + viewDependent.
 [[nodiscard]] RadianceMap combinedRadiance(const Frame& frame);
 

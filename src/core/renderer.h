@@ -21,6 +21,19 @@ struct RayCounts {
   std::uint64_t shadow = 0;
 };
 
+/// A stretch of a sample's paths.
+struct PathRange {
+  int before = 0;  ///< paths that the sample has had: 0, or a multiple of `count`
+  int count = 1;   ///< paths to trace now, >= 1; powers of two stratify best
+};
+
+struct Refined {
+  Mask open;                ///< of the samples asked for, those that more paths would still change
+  std::uint64_t paths = 0;  ///< traced
+};
+
+[[nodiscard]] RayCounts operator-(const RayCounts& now, const RayCounts& before);
+
 class Renderer {
  public:
   Renderer() = default;
@@ -35,6 +48,13 @@ class Renderer {
   /// visibility is that of `camera`, marking them with `source`. `frameIndex` seeds the random numbers with
   /// pixel and sample: the same call gives the same pixels for any number of threads.
   virtual void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const = 0;
+
+  /// Traces a stretch of the paths of the samples selected by `mask` and averages it with those that they
+  /// have had (before == 0: replaces what is there), for whoever decides when to stop
+  /// (walkthrough/stopping.h). The samples become SampleSource::kTraced. Repeatable as retrace() is. A
+  /// renderer whose number of paths is its own business keeps this default: everything at once, and nothing
+  /// stays open.
+  [[nodiscard]] virtual Refined refine(Frame& frame, const Mask& mask, PathRange paths, int frameIndex) const;
 
   /// Every sample traced and shaded.
   [[nodiscard]] virtual Frame render(const Camera& camera, int frameIndex) const = 0;

@@ -72,6 +72,12 @@ class TileSamples {
   int count_ = 0;
 };
 
+struct ShadedSample {
+  SampleRadiance radiance;
+  std::uint64_t paths = 0;  ///< traced for it
+  bool isClean = true;      ///< more paths would change nothing that a viewer could see
+};
+
 std::uint32_t seedOf(const PathSettings& settings) {
   return static_cast<std::uint32_t>(settings.seed ^ (settings.seed >> 32));
 }
@@ -102,13 +108,46 @@ class PathRenderer final : public Renderer {
            frame.source.size() == size);
     forEachTile(size, [&](int tileX, int tileY) {
       const TileSamples samples(size, tileX, tileY, [&](int x, int y) { return mask(x, y) != 0; });
-      shadeTile(samples, frame.visibility.camera, frameIndex,
-                [&](SamplePosition p, const Ray&, const Hit&, const SampleRadiance& radiance) {
-                  frame.diffuse(p.x, p.y) = radiance.diffuse;
-                  frame.viewDependent(p.x, p.y) = radiance.viewDependent;
+      shadeTile(samples, frame.visibility.camera, allPaths(frameIndex),
+                [&](SamplePosition p, const Ray&, const Hit&, const ShadedSample& sample) {
+                  frame.diffuse(p.x, p.y) = sample.radiance.diffuse;
+                  frame.viewDependent(p.x, p.y) = sample.radiance.viewDependent;
                   frame.source(p.x, p.y) = source;
                 });
     });
+  }
+
+  [[nodiscard]] Refined refine(Frame& frame, const Mask& mask, PathRange paths,
+                               int frameIndex) const override {
+    const Size size = frame.visibility.camera.size();
+    assert(mask.size() == size && frame.diffuse.size() == size && frame.viewDependent.size() == size &&
+           frame.source.size() == size);
+    assert(paths.count >= 1 && paths.before % paths.count == 0);
+    const float share = static_cast<float>(paths.count) / static_cast<float>(paths.before + paths.count);
+    Refined refined{Mask(size), 0};
+    std::atomic<std::uint64_t> traced{0};
+    forEachTile(size, [&](int tileX, int tileY) {
+      const TileSamples samples(size, tileX, tileY, [&](int x, int y) { return mask(x, y) != 0; });
+      std::uint64_t count = 0;
+      shadeTile(samples, frame.visibility.camera, {frameIndex, paths, Effort::kExactly},
+                [&](SamplePosition p, const Ray&, const Hit&, const ShadedSample& sample) {
+                  Rgb& diffuse = frame.diffuse(p.x, p.y);
+                  Rgb& viewDependent = frame.viewDependent(p.x, p.y);
+                  if (paths.before == 0) {
+                    diffuse = sample.radiance.diffuse;
+                    viewDependent = sample.radiance.viewDependent;
+                  } else if (sample.paths > 0) {
+                    diffuse = glm::mix(diffuse, sample.radiance.diffuse, share);
+                    viewDependent = glm::mix(viewDependent, sample.radiance.viewDependent, share);
+                  }
+                  frame.source(p.x, p.y) = SampleSource::kTraced;
+                  refined.open(p.x, p.y) = sample.isClean ? 0 : 1;
+                  count += sample.paths;
+                });
+      traced += count;
+    });
+    refined.paths = traced;
+    return refined;
   }
 
   [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
@@ -120,11 +159,11 @@ class PathRenderer final : public Renderer {
     frame.source = SourceMap(size, SampleSource::kTraced);
     forEachTile(size, [&](int tileX, int tileY) {
       const TileSamples samples(size, tileX, tileY, [](int, int) { return true; });
-      shadeTile(samples, camera, frameIndex,
-                [&](SamplePosition p, const Ray& ray, const Hit& hit, const SampleRadiance& radiance) {
+      shadeTile(samples, camera, allPaths(frameIndex),
+                [&](SamplePosition p, const Ray& ray, const Hit& hit, const ShadedSample& sample) {
                   record(p, ray, hit, frame.visibility);
-                  frame.diffuse(p.x, p.y) = radiance.diffuse;
-                  frame.viewDependent(p.x, p.y) = radiance.viewDependent;
+                  frame.diffuse(p.x, p.y) = sample.radiance.diffuse;
+                  frame.viewDependent(p.x, p.y) = sample.radiance.viewDependent;
                 });
     });
     return frame;
@@ -157,24 +196,39 @@ class PathRenderer final : public Renderer {
     visibility.item(p.x, p.y) = hit.instance + 1;
   }
 
+  /// What a tile's samples get.
+  struct Work {
+    int frameIndex;
+    PathRange paths;
+    Effort effort;
+  };
+  [[nodiscard]] Work allPaths(int frameIndex) const {
+    return {frameIndex, {0, settings_.pathsPerSample}, Effort::kUntilClean};
+  }
+
   template <class Store>
-  void shadeTile(const TileSamples& samples, const Camera& camera, int frameIndex, const Store& store) const {
+  void shadeTile(const TileSamples& samples, const Camera& camera, const Work& work,
+                 const Store& store) const {
     if (samples.count() == 0) return;
     PathRays rays;
     const float pixelWidth = static_cast<float>(1.0 / camera.focalPixels());
     samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const Ray& ray, const Hit& hit) {
-      SampleRadiance radiance;
+      ShadedSample sample;
       if (hit.found()) {
         Sampler::Stream stream;
         stream.pixel = {p.x, p.y};
-        stream.frame = static_cast<std::uint32_t>(frameIndex);
+        stream.frame = static_cast<std::uint32_t>(work.frameIndex);
         stream.seed = seedOf(settings_);
-        stream.pathsPerPixel = static_cast<std::uint32_t>(settings_.pathsPerSample);
-        radiance = tracer_.shade(hit, ray, pixelWidth, stream, rays);
+        stream.pathsPerPixel = static_cast<std::uint32_t>(work.paths.count);
+        stream.block = static_cast<std::uint32_t>(work.paths.before / work.paths.count);
+        const PathRays before = rays;
+        sample.radiance = tracer_.shade(hit, ray, pixelWidth, stream, work.effort, rays);
+        sample.paths = rays.paths - before.paths;
+        sample.isClean = rays.noisyLines == before.noisyLines;
       } else {
-        radiance.diffuse = tracer_.background(glm::normalize(ray.direction));
+        sample.radiance.diffuse = tracer_.background(glm::normalize(ray.direction));
       }
-      store(p, ray, hit, radiance);
+      store(p, ray, hit, sample);
     });
     primaryRays_ += static_cast<std::uint64_t>(samples.count());
     scatteredRays_ += rays.scattered;

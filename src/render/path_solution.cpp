@@ -237,13 +237,16 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   const bool isFaint = known && share <= kFaint * largest(albedo.diffuse + albedo.viewDependent);
   Sampler::Stream numbers = sight.numbersOf(stream);
   if (isFaint) numbers = sharedNumbers(numbers);
-  numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
+  const bool untilClean = sight.effort == Effort::kUntilClean;
+  if (untilClean) {
+    numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
+  }
   // Effort in proportion to what the eye gets of it.
   const auto ofWeight = [weight](int paths) {
     return std::max(kLeastOfAll,
                     static_cast<int>(std::ceil(static_cast<float>(paths) * std::min(weight, 1.0f))));
   };
-  const int most = ofWeight(std::max(kMostPaths, settings_.pathsPerSample));
+  const int most = ofWeight(static_cast<int>(numbers.pathsPerPixel));
   const int pathsPerLight = known ? kPathsPerLight : 1;
   const float times = 1.0f / static_cast<float>(pathsPerLight);
   const Shares asked = firstShares(vertex);
@@ -287,16 +290,21 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
     }
     shadows.flush();
   };
+  const float noise = isFaint || !untilClean ? kFaintNoise : kStrongNoise;
   const auto isClean = [&] {
     const auto n = static_cast<float>(count);
     const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
     const float whole = sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean);
-    return weight * found.standardError(count) <= (isFaint ? kFaintNoise : kStrongNoise) * whole;
+    return weight * found.standardError(count) <= noise * whole;
   };
   const bool isNarrow = look.bsdf.roughness < kNarrow &&
                         !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
-  trace(ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths));
+  // Whoever gets fewer learns nothing about their noise.
+  const int enough = ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths);
+  trace(std::min(most, enough));
   while (count < most && !isClean()) trace(std::min(count, most - count));
+  rays.paths += static_cast<std::uint64_t>(count);
+  if (count < enough || !isClean()) ++rays.noisyLines;
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;
   result.viewDependent += sum.viewDependent * each;

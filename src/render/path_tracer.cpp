@@ -255,7 +255,9 @@ SampleRadiance PathTracer::shadeByPaths(const Sight& sight, const Vertex& vertex
                                         const ScatteringSurface& scattering, const Sampler::Stream& stream,
                                         PathRays& rays) const {
   const int count =
-      std::max(1, static_cast<int>(std::ceil(static_cast<float>(settings_.pathsPerSample) * sight.weight())));
+      std::max(1, static_cast<int>(std::ceil(static_cast<float>(stream.pathsPerPixel) * sight.weight())));
+  rays.paths += static_cast<std::uint64_t>(count);
+  ++rays.noisyLines;
   const Sampler::Stream numbers = sight.numbersOf(stream);
   const Shares shares = firstShares(vertex);
   SampleRadiance sum;

@@ -23,10 +23,20 @@ struct SampleRadiance {
   Rgb viewDependent{0.0f};
 };
 
+/// How many paths a line of sight gets where it needs any.
+enum class Effort {
+  /// Stream::pathsPerPixel; with a light solution as many as a reflection takes to be clean, by its standard
+  /// error.
+  kUntilClean,
+  kExactly,  ///< Stream::pathsPerPixel, or fewer where they are found to be clean
+};
+
 /// Counted by whoever calls; one a thread.
 struct PathRays {
   std::uint64_t scattered = 0;
   std::uint64_t shadow = 0;
+  std::uint64_t paths = 0;       ///< that began at the ends of lines of sight
+  std::uint64_t noisyLines = 0;  ///< lines of sight that more paths would still change
 };
 
 class PathTracer {
@@ -49,7 +59,7 @@ class PathTracer {
   /// Mean of the paths from a primary hit. `pixelWidth`: of a sample at distance 1 along the view axis, of
   /// which `direction` has component 1.
   [[nodiscard]] SampleRadiance shade(const Hit& hit, const Ray& primary, float pixelWidth,
-                                     const Sampler::Stream& stream, PathRays& rays) const;
+                                     const Sampler::Stream& stream, Effort effort, PathRays& rays) const;
 
   /// Light on a surface element, the mean of stream.pathsPerPixel paths: everything but what point, spot and
   /// directional lights send there directly, which every sample asks for itself. By direction, too, where

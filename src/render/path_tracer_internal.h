@@ -135,7 +135,8 @@ struct PathTracer::Sight {
   Carried path;  ///< throughput: what the eye gets of the light that arrives along it
   /// Which way it took at each surface: a number for each line of a sample.
   std::uint32_t turns = 0;
-  int passages = 0;      ///< straight through surfaces
+  int passages = 0;  ///< straight through surfaces
+  Effort effort = Effort::kUntilClean;
   float besides = 0.0f;  ///< luminance that the eye is known to get otherwise
 
   [[nodiscard]] float weight() const { return largest(path.throughput); }

@@ -64,10 +64,11 @@ float toUnit(std::uint32_t bits) {
 Sampler::Sampler(const Stream& stream, std::uint32_t path) {
   // A square tile of pixels, as large as 32 bits allow beside the paths, shares a sequence.
   const int pathBits = std::min(static_cast<int>(std::bit_width(stream.pathsPerPixel - 1)), 30);
-  const int tileBits = std::min((32 - pathBits) / 2, 10);  // of each coordinate
+  const int blockBits = static_cast<int>(std::bit_width(stream.block));
+  const int tileBits = std::min((32 - pathBits - blockBits) / 2, 10);  // of each coordinate
   const std::uint32_t inTile = (1u << tileBits) - 1;
   const std::uint32_t order = spreadBits(stream.pixel.x & inTile) | spreadBits(stream.pixel.y & inTile) << 1;
-  reversedIndex_ = reverseBits((order << pathBits) + path);
+  reversedIndex_ = reverseBits((((stream.block << (2 * tileBits)) + order) << pathBits) + path);
   streamHash_ = combine(combine(0, stream.seed), stream.frame);
   streamHash_ = combine(combine(streamHash_, stream.pixel.y >> tileBits), stream.pixel.x >> tileBits);
 }

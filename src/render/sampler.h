@@ -26,6 +26,9 @@ class Sampler {
     std::uint32_t seed = 0;
     /// How many paths a pixel will ask for, at least 1. A power of two stratifies blocks of pixels best.
     std::uint32_t pathsPerPixel = 1u << 12;
+    /// How often so many came before. The further blocks of all pixels continue the sequence, so that what
+    /// they share stays stratified.
+    std::uint32_t block = 0;
   };
 
   /// `path` in [0, pathsPerPixel); any aligned block of 2^k of them is a stratified set.

@@ -31,6 +31,7 @@ double exposureOf(std::vector<double> luminances) {
 double automaticExposure(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
                          Size size) {
   constexpr int kFrames = 7;
+  constexpr int kPaths = 16;
   constexpr int kBlock = 8;
   constexpr int kColumns = 8;  // of blocks
   const int rows =
@@ -39,7 +40,9 @@ double automaticExposure(const paths::CameraPath& path, FrameRange frames, const
   for (int k = 0; k < kFrames; ++k) {
     const int index =
         frames.first + static_cast<int>(std::lround((frames.count() - 1) * k / double(kFrames - 1)));
-    const Frame frame = renderer.render(path.camera(index, {kColumns * kBlock, rows * kBlock}), index);
+    Frame frame = unshaded(renderer.visibility(path.camera(index, {kColumns * kBlock, rows * kBlock})));
+    // The same exposure whatever number of paths the frames will have.
+    (void)renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = kPaths}, index);
     const RadianceMap means = resolveRadiance(combinedRadiance(frame), kBlock);
     for (const Rgb& mean : means.pixels()) blocks.push_back(luminance(mean));
   }

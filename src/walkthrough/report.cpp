@@ -1,6 +1,6 @@
 #include "src/walkthrough/report.h"
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace promenade::walkthrough {
@@ -43,14 +43,34 @@ Json jobJson(const Report& report) {
           {"spacing", s.keyframeSpacing},
           {"integrator", job.integrator},
           {"light", job.light},
-          {"spp", job.pathsPerSample},
-          {"spp_automatic", job.pathsChosenAutomatically},
+          {"spp", job.pathsPerSample ? Json(*job.pathsPerSample) : Json()},
+          {"spp_automatic", !job.pathsPerSample},
           {"tone", s.tone.curve == ToneCurve::kLinear ? "linear" : "neutral"},
           {"exposure_ev", s.tone.exposureEv},
           {"pixels_per_degree", s.display.pixelsPerDegree()},
           {"display_model", displayJson(s.display)},
           {"command", job.command},
           {"directory", job.directory}};
+}
+
+/// Nothing spent where the number of paths was given.
+Json stoppingJson(const Statistics& statistics) {
+  std::uint64_t paths = 0;
+  int openTiles = 0;
+  double worst = 0.0;
+  double sum = 0.0;
+  for (const FrameStatistics& frame : statistics.frames) {
+    if (!frame.stopping) return Json();
+    paths += frame.stopping->paths;
+    openTiles += frame.stopping->openTiles;
+    worst = std::max(worst, frame.stopping->predictedPercent);
+    sum += frame.stopping->predictedPercent;
+  }
+  const double count = std::max<double>(1.0, static_cast<double>(statistics.frames.size()));
+  return {{"paths", paths},
+          {"predicted_percent_mean", sum / count},
+          {"predicted_percent_worst", worst},
+          {"tiles_open", openTiles}};
 }
 
 Json totalsJson(const Report& report) {
@@ -65,6 +85,7 @@ Json totalsJson(const Report& report) {
           {"rays", s.rays.primary + s.rays.scattered + s.rays.shadow},
           {"visibility_rays", s.rays.visibility},
           {"speedup_estimated", estimatedSpeedup(report)},
+          {"stopping", stoppingJson(s)},
           {"seconds_wall", report.wallSeconds},
           {"seconds",
            {{"load", o.load},
@@ -124,6 +145,11 @@ std::string reportJson(const Report& report) {
                       {"reused", f.reused},
                       {"layered", f.layered},
                       {"seconds", f.seconds}});
+    if (!f.stopping) continue;
+    frames.back().update({{"paths", f.stopping->paths},
+                          {"paths_most", f.stopping->mostPaths},
+                          {"predicted_percent", f.stopping->predictedPercent},
+                          {"tiles_open", f.stopping->openTiles}});
   }
   Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
   if (report.light) {

@@ -16,9 +16,8 @@ struct JobDescription {
   std::string path;
   double framesPerSecond = 25.0;
   std::string integrator;
-  std::string light;  ///< "scene", "sky" or the environment's file
-  int pathsPerSample = 0;
-  bool pathsChosenAutomatically = false;
+  std::string light;                  ///< "scene", "sky" or the environment's file
+  std::optional<int> pathsPerSample;  ///< nothing: as many as a viewer asks for
   std::uint64_t seed = 0;
   int threads = 0;
   std::string command;    ///< what repeats the job, for a shell
@@ -38,7 +37,7 @@ struct LightReport {
 struct OutsideSeconds {
   double load = 0.0;      ///< scene, path, acceleration structures
   double indirect = 0.0;  ///< a baked indirect solution
-  double prepare = 0.0;   ///< choosing exposure and paths a sample
+  double prepare = 0.0;   ///< choosing the exposure
   double encode = 0.0;    ///< video
   double write = 0.0;     ///< frames and maps
 };

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "src/core/renderer.h"
@@ -11,6 +12,15 @@
 namespace promenade::walkthrough {
 
 enum class FrameKind { kKeyframe, kInbetween };
+
+/// What perceptual stopping spent on a frame, and what it predicts (stopping.h).
+struct StoppingStatistics {
+  std::uint64_t paths = 0;  ///< traced, of all samples
+  int mostPaths = 0;        ///< that any sample got
+  double predictedPercent =
+      0.0;            ///< of the frame's pixels: a viewer sees P > 0.75 after T/2 and after T paths
+  int openTiles = 0;  ///< still noisier than asked for when the paths ran out
+};
 
 struct FrameStatistics {
   int index = 0;
@@ -25,6 +35,7 @@ struct FrameStatistics {
   /// traced samples of the same frame around them.
   std::uint64_t layered = 0;
   std::uint64_t reused = 0;  ///< of the warped, samples that no keyframe could fill
+  std::optional<StoppingStatistics> stopping;  ///< nothing: the number of paths was given
   double seconds = 0.0;
 };
 

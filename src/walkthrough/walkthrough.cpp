@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "src/core/resolve.h"
 #include "src/walkthrough/inbetween.h"
 #include "src/walkthrough/judge.h"
+#include "src/walkthrough/stopping.h"
 #include "src/walkthrough/verify.h"
 
 namespace promenade::walkthrough {
@@ -24,6 +26,11 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
   }
   if (settings.size.width < 1 || settings.size.height < 1) throw InputError("size", "expected at least 1x1");
   if (settings.supersample < 1) throw InputError("supersample", "expected at least 1");
+  if (const auto& rule = settings.stopping) {
+    if (rule->firstPaths < 1 || rule->mostPaths < rule->firstPaths || rule->tile < 1) {
+      throw InputError("stopping", "expected at least one path first, no fewer at most, tiles of a pixel");
+    }
+  }
   if (settings.keyframeSpacing < 1) throw InputError("spacing", "expected at least 1");
   if (!(settings.tolerancePercent >= 0.0 && settings.tolerancePercent <= 100.0)) {
     throw InputError("tolerance", "expected a per cent in [0, 100]");
@@ -38,7 +45,12 @@ class Walk {
  public:
   Walk(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
        const Outputs& outputs)
-      : path_(path), renderer_(renderer), settings_(settings), outputs_(outputs) {}
+      : path_(path),
+        settings_(settings),
+        outputs_(outputs),
+        stopping_(settings.stopping ? std::make_unique<StoppingRenderer>(renderer, settings) : nullptr),
+        renderer_(stopping_ ? *stopping_ : renderer),
+        raysBefore_(renderer.rayCounts()) {}
 
   Statistics run() {
     if (settings_.method == Method::kFull) {
@@ -53,7 +65,11 @@ class Walk {
           [this](const Segment& segment) { return judge(segment); },
           [this](const Segment& segment) { finish(segment); });
     }
-    statistics_.rays = renderer_.rayCounts();
+    statistics_.rays = renderer_.rayCounts() - raysBefore_;
+    if (stopping_) {
+      statistics_.seconds.trace -= stopping_->secondsInMetric();
+      statistics_.seconds.metric += stopping_->secondsInMetric();
+    }
     return std::move(statistics_);
   }
 
@@ -88,6 +104,7 @@ class Walk {
     made.statistics.samples = made.frame.diffuse.size().area();
     made.statistics.samplesTraced = made.statistics.samples;
     made.statistics.seconds = statistics_.seconds.trace - before;
+    if (stopping_) made.statistics.stopping = stopping_->spent();
     return keyframes_.emplace(index, std::move(made)).first->second.frame;
   }
 
@@ -190,6 +207,7 @@ class Walk {
     }
     Inbetween made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_,
                                 settings_.supersample, statistics_.seconds);
+    if (stopping_) made.statistics.stopping = stopping_->spent();
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return made;
   }
@@ -226,9 +244,11 @@ class Walk {
   }
 
   const paths::CameraPath& path_;
-  const Renderer& renderer_;
   const Settings& settings_;
   const Outputs& outputs_;
+  const std::unique_ptr<StoppingRenderer> stopping_;  ///< null: the renderer's own number of paths
+  const Renderer& renderer_;
+  const RayCounts raysBefore_;  ///< choosing the exposure
   std::map<int, Keyframe> keyframes_;
   JudgedInbetween middle_;  ///< of the segment that was accepted last
   Statistics statistics_;

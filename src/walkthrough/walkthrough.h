@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "aqm/metric.h"
@@ -22,6 +23,16 @@ enum class Method {
   kFull,        ///< every frame traced: the reference
 };
 
+/// When a frame has had enough paths (stopping.h).
+struct StoppingRule {
+  /// Tiles of which at most so many per cent of the pixels differ visibly between two frames rendered like
+  /// this get no more.
+  double tolerancePercent = 1.0;
+  int firstPaths = 16;   ///< of a sample, then doubled; a power of two
+  int mostPaths = 1024;  ///< more would take days: better a warning
+  int tile = 16;         ///< display pixels along a tile's edge
+};
+
 struct Settings {
   Size size{1280, 720};  ///< display pixels
   int supersample = 2;   ///< samples along a pixel's edge, >= 1
@@ -33,6 +44,8 @@ struct Settings {
   /// none.
   double probeShare = 0.01;
   std::uint64_t seed = 0;  ///< of which samples these are
+  /// Nothing: the renderer's own number of paths.
+  std::optional<StoppingRule> stopping;
   ToneMapping tone;
   DisplayModel display;
   ibr::WarpSettings warp;

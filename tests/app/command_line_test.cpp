@@ -91,7 +91,7 @@ TEST(CommandLine, NamesTheNearestOfAnUnknownKey) {
 }
 
 TEST(CommandLine, HelpHasAnExampleForEveryVerb) {
-  for (const char* verb : {"render", "compare", "path", "encode", "info"}) {
+  for (const char* verb : {"render", "compare", "path", "encode", "info", "converge"}) {
     const CommandLine line = parseCommandLine({verb, "--help"});
     EXPECT_EQ(line.verb, Verb::kHelpOnly);
     EXPECT_THAT(line.text, testing::HasSubstr("Example:\n  promenade " + std::string(verb)));

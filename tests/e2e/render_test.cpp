@@ -92,11 +92,34 @@ TEST_F(Render, KeepsTheLightSolutionForLaterRendersOfTheScene) {
 
 TEST_F(Render, GivesTheSameBytesForAnyNumberOfThreads) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
-  expectDone(run(render(scene, at("one"), {"--frames", "0-6", "--spacing", "3", "--threads", "1"})));
-  expectDone(run(render(scene, at("two"), {"--frames", "0-6", "--spacing", "3", "--threads", "3"})));
-  for (int i = 0; i < 7; ++i) {
-    const std::string name = "frames/00000" + std::to_string(i) + ".exr";
-    EXPECT_TRUE(contents(folder_ / "one" / name) == contents(folder_ / "two" / name)) << name;
+  for (const char* paths : {"1", "auto"}) {
+    SCOPED_TRACE(paths);
+    const Arguments job = {"--frames", "0-6", "--spacing", "3", "--spp", paths, "--overwrite", "--threads"};
+    const auto with = [&](const std::string& threads) {
+      Arguments all = job;
+      all.push_back(threads);
+      return all;
+    };
+    expectDone(run(render(scene, at("one"), with("1"))));
+    expectDone(run(render(scene, at("two"), with("3"))));
+    for (int i = 0; i < 7; ++i) {
+      const std::string name = "frames/00000" + std::to_string(i) + ".exr";
+      EXPECT_TRUE(contents(folder_ / "one" / name) == contents(folder_ / "two" / name)) << name;
+    }
+  }
+}
+
+TEST_F(Render, StopsWhenAViewerSeesNoNoise) {
+  const auto scene = writeScene(folder_, "scene", With::kNoLight);  // under a uniform sky
+  for (const char* integrator : {"path", "walkthrough"}) {
+    SCOPED_TRACE(integrator);
+    const std::string out = at(integrator);
+    expectDone(run(render(scene, out, {"--integrator", integrator, "--spp", "auto", "--frames", "0-4"})));
+    const auto report = nlohmann::json::parse(contents(out + "/report.json"));
+    EXPECT_TRUE(report["job"]["spp"].is_null());
+    EXPECT_LE(report["totals"]["stopping"]["predicted_percent_worst"].get<double>(), 1.0);
+    EXPECT_EQ(report["totals"]["stopping"]["tiles_open"], 0);
+    for (const auto& frame : report["frames"]) EXPECT_LE(frame["paths_most"].get<int>(), 1024);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/e2e/tiny_scene.h"
 
@@ -28,7 +29,7 @@ class Verbs : public InFolder {
 };
 
 TEST_F(Verbs, HelpOfEachVerbHasAnExample) {
-  for (const char* verb : {"render", "compare", "path", "encode", "report", "info"}) {
+  for (const char* verb : {"render", "compare", "path", "encode", "report", "info", "converge"}) {
     const Outcome outcome = run({verb, "--help"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.out, testing::HasSubstr("Example:\n  promenade " + std::string(verb)));
@@ -37,6 +38,27 @@ TEST_F(Verbs, HelpOfEachVerbHasAnExample) {
   EXPECT_EQ(run({"--version"}).status, 0);
   expectRefused(run({}), "expected a verb");
   expectRefused(run({"compair"}), "did you mean 'compare'?");
+}
+
+TEST_F(Verbs, ConvergeWritesACurveForEachSolution) {
+  const auto scene = writeScene(folder_, "scene", With::kNoLight);  // under a uniform sky
+  const auto converge = [&](const std::string& frame, const std::string& most) {
+    return run({"converge", scene, "--out", at("curves"), "--size", "48x32", "--supersample", "1", "--frame",
+                frame, "--most-spp", most, "--converged-spp", "64", "--quiet"});
+  };
+  const Outcome outcome = converge("24", "8");
+  expectDone(outcome);
+  EXPECT_THAT(outcome.out, testing::HasSubstr("walkthrough"));
+  std::istringstream csv(contents(at("curves/convergence.csv")));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 1u + 4u + 4u);  // 1, 2, 4, 8 paths
+  EXPECT_EQ(lines[0], "solution,seconds,paths,percent_visible,predicted_percent");
+  EXPECT_THAT(lines[1], testing::MatchesRegex("path,[0-9.]+,1,[0-9.]+,"));
+  EXPECT_THAT(lines[8], testing::MatchesRegex("walkthrough,[0-9.]+,8,[0-9.]+,[0-9.]+"));
+  EXPECT_THAT(contents(at("curves/convergence.svg")), testing::HasSubstr("Perceptual convergence"));
+  expectRefused(converge("25", "8"), "--frame");
+  expectRefused(converge("0", "6"), "--most-spp: expected a power of two, found 6");
 }
 
 TEST_F(Verbs, CompareOfEqualSequencesIsZeroAndSymmetric) {

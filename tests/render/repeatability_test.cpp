@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "src/render/path_renderer.h"
 #include "tests/render/scenes.h"
 
@@ -54,6 +58,50 @@ TEST(PathRenderer, GivesIdenticalPixelsForAnyNumberOfThreads) {
   const Frame one = makePathRenderer(scene, withThreads(1))->render(kCamera, 5);
   expectSame(one, makePathRenderer(scene, withThreads(2))->render(kCamera, 5));
   expectSame(one, makePathRenderer(scene, withThreads(0))->render(kCamera, 5));
+}
+
+Frame refined(const Renderer& renderer, int first, int most) {
+  Frame frame = unshaded(renderer.visibility(kCamera));
+  Mask open = renderer.refine(frame, Mask(kCamera.size(), 1), {0, first}, 5).open;
+  for (int paths = first; paths < most; paths *= 2)
+    open = renderer.refine(frame, open, {paths, paths}, 5).open;
+  return frame;
+}
+
+TEST(PathRenderer, RefinesToIdenticalPixelsForAnyNumberOfThreads) {
+  const Scene scene = room();
+  const Frame one = refined(*makePathRenderer(scene, withThreads(1)), 4, 16);
+  expectSame(one, refined(*makePathRenderer(scene, withThreads(3)), 4, 16));
+}
+
+TEST(PathRenderer, RefinedAtOnceIsRendered) {
+  const Scene scene = room();
+  const auto renderer = makePathRenderer(scene, withThreads(2));  // 3 paths a sample
+  expectSame(refined(*renderer, 3, 3), renderer->render(kCamera, 5));
+}
+
+TEST(PathRenderer, FurtherPathsComeNearerToTheConvergedImage) {
+  const Scene scene = room();
+  const auto renderer = makePathRenderer(scene, withThreads(0));
+  PathSettings many = withThreads(0);
+  many.pathsPerSample = 512;
+  many.seed = 1;
+  const Frame converged = makePathRenderer(scene, many)->render(kCamera, 5);
+  const auto error = [&](const Frame& frame) {
+    const RadianceMap a = combinedRadiance(frame);
+    const RadianceMap b = combinedRadiance(converged);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+      const Rgb d = glm::min(a.pixels()[i], Rgb(2.0f)) - glm::min(b.pixels()[i], Rgb(2.0f));
+      sum += glm::dot(d, d);
+    }
+    return std::sqrt(sum);
+  };
+  // Sixteen times the paths: a quarter of the error if they were independent of those before, and new.
+  const double few = error(refined(*renderer, 4, 4));
+  const double more = error(refined(*renderer, 4, 64));
+  EXPECT_LT(more, 0.4 * few);
+  EXPECT_GT(more, 0.05 * few);
 }
 
 TEST(PathRenderer, SeesTheSameWithAndWithoutShading) {

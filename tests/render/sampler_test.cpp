@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -65,6 +66,21 @@ TEST(Sampler, StratifiesEveryAlignedBlockOfPixels) {
     }
     for (const int h : hits) ASSERT_EQ(h, 1) << columns << " columns";
   }
+}
+
+TEST(Sampler, ContinuesItsSequenceWithTheNextBlock) {
+  // 16 paths first, then 16 and 32 more: every block is stratified, and no point comes twice.
+  const auto stream = [](std::uint32_t paths, std::uint32_t block) {
+    return Sampler::Stream{{5, 9}, 2, 4, paths, block};
+  };
+  expectStratified(stream(16, 1), 0, 4, 3);
+  expectStratified(stream(32, 1), 0, 5, 3);
+  std::vector<float> abscissae;
+  for (const auto& s : {stream(16, 0), stream(16, 1), stream(32, 1)}) {
+    for (std::uint32_t path = 0; path < s.pathsPerPixel; ++path) abscissae.push_back(pairOf(s, path, 0).x);
+  }
+  std::sort(abscissae.begin(), abscissae.end());
+  EXPECT_EQ(std::adjacent_find(abscissae.begin(), abscissae.end()), abscissae.end());
 }
 
 TEST(Sampler, StratifiesSingleDimensions) {

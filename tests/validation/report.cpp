@@ -28,7 +28,7 @@ void Report::table(const std::vector<std::vector<std::string>>& rows) {
 void Report::plot(const std::string& name, const std::string& title, const Axis& x, const Axis& y,
                   const std::vector<Series>& series) {
   std::filesystem::create_directories(docs_ / "validation");
-  io::writeTextFile(docs_ / "validation" / (name + ".svg"), plotted(title, x, y, series));
+  io::writeTextFile(docs_ / "validation" / (name + ".svg"), io::plotted(title, x, y, series));
   markdown_ += "![" + title + "](validation/" + name + ".svg)\n\n";
 }
 

@@ -5,9 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "tests/validation/plot.h"
+#include "src/io/plot.h"
 
 namespace promenade::validation {
+
+using io::Axis;
+using io::Mark;
+using io::Scale;
+using io::Series;
 
 class Report {
  public:

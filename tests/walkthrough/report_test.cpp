@@ -19,7 +19,6 @@ Report threeFrames() {
            .integrator = "path",
            .light = "scene",
            .pathsPerSample = 64,
-           .pathsChosenAutomatically = true,
            .seed = 7,
            .threads = 2,
            .command = "promenade render 'a<b>.glb'",
@@ -113,6 +112,27 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
       "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "seconds": 0.5})"));
   EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
   EXPECT_FALSE(root.contains("resumed_from"));
+}
+
+TEST(ReportJson, TellsWhatPerceptualStoppingSpentAndPredicts) {
+  Report r = threeFrames();
+  EXPECT_TRUE(json::parse(reportJson(r))["totals"]["stopping"].is_null());
+  r.job.pathsPerSample.reset();
+  for (FrameStatistics& frame : r.statistics.frames) {
+    frame.stopping = StoppingStatistics{.paths = 1000, .mostPaths = 32, .predictedPercent = 0.25};
+  }
+  r.statistics.frames[1].stopping =
+      StoppingStatistics{.paths = 400, .mostPaths = 1024, .predictedPercent = 1.0, .openTiles = 2};
+  const json root = json::parse(reportJson(r));
+  EXPECT_TRUE(root["job"]["spp"].is_null());
+  EXPECT_EQ(root["job"]["spp_automatic"], true);
+  // (0.25 + 1 + 0.25) / 3
+  EXPECT_EQ(root["totals"]["stopping"], json::parse(R"({"paths": 2400, "predicted_percent_mean": 0.5,
+      "predicted_percent_worst": 1.0, "tiles_open": 2})"));
+  EXPECT_EQ(root["frames"][1]["paths"], 400);
+  EXPECT_EQ(root["frames"][1]["paths_most"], 1024);
+  EXPECT_EQ(root["frames"][1]["predicted_percent"], 1.0);
+  EXPECT_EQ(root["frames"][1]["tiles_open"], 2);
 }
 
 TEST(ReportJson, TellsWhatTheLightSolutionCost) {

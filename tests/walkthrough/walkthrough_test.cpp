@@ -87,6 +87,25 @@ std::vector<int> upTo(int count) {
   return numbers;
 }
 
+TEST(Walkthrough, StopsARendererThatHasItsOwnNumberOfPathsAfterTheFirst) {
+  const auto path = strafe(9, 0.05);
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  Settings settings = settingsFor(path);
+  const WalkResult given = walk(path, renderer, settings);
+  settings.stopping = StoppingRule{};
+  const WalkResult stopped = walk(path, renderer, settings);
+  for (const FrameStatistics& frame : stopped.statistics.frames) {
+    ASSERT_TRUE(frame.stopping);
+    EXPECT_EQ(frame.stopping->openTiles, 0);
+    const FinishedFrame& a = stopped.frames.at(frame.index);
+    const FinishedFrame& b = given.frames.at(frame.index);
+    EXPECT_EQ(largestDifference(a.radiance, b.radiance), 0.0) << frame.index;
+    for (std::size_t i = 0; i < a.source.pixels().size(); ++i) {
+      ASSERT_EQ(a.source.pixels()[i], b.source.pixels()[i]) << frame.index;
+    }
+  }
+}
+
 TEST(Walkthrough, OfAStillCameraTracesKeyframesOnlyAndChangesNothing) {
   const auto path = still(33);
   const AnalyticRenderer renderer(Panel::kMatt);

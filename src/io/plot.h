@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace promenade::validation {
+namespace promenade::io {
 
 enum class Mark { kLine, kPoints };
 enum class Scale { kLinear, kLogarithmic };
@@ -25,4 +25,4 @@ struct Axis {
 [[nodiscard]] std::string plotted(const std::string& title, const Axis& x, const Axis& y,
                                   const std::vector<Series>& series);
 
-}  // namespace promenade::validation
+}  // namespace promenade::io

@@ -1,11 +1,11 @@
-#include "tests/validation/plot.h"
+#include "src/io/plot.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-namespace promenade::validation {
+namespace promenade::io {
 namespace {
 
 constexpr double kWidth = 640.0;
@@ -146,4 +146,4 @@ std::string plotted(const std::string& title, const Axis& x, const Axis& y,
   return svg + "</svg>\n";
 }
 
-}  // namespace promenade::validation
+}  // namespace promenade::io

@@ -1,0 +1,47 @@
+#include "src/walkthrough/convergence.h"
+
+#include "src/walkthrough/seen.h"
+
+namespace promenade::walkthrough {
+
+void renderProgressively(const Renderer& renderer, const Camera& camera, const Settings& settings,
+                         int mostPaths, const AfterPaths& after) {
+  double seconds = 0.0;
+  Frame frame;
+  Mask open;
+  for (int paths = 0; paths < mostPaths; paths = paths == 0 ? 1 : 2 * paths) {
+    {
+      const Stopwatch watch(seconds);
+      if (paths == 0) {
+        frame = unshaded(renderer.visibility(camera.supersampled(settings.supersample)));
+        open = renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = 1}, 0).open;
+      } else {
+        open = renderer.refine(frame, open, {.before = paths, .count = paths}, 0).open;
+      }
+    }
+    after(frame, paths == 0 ? 1 : 2 * paths, seconds);
+  }
+}
+
+std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Camera& camera,
+                                            const Settings& settings, const LuminanceMap& converged,
+                                            int mostPaths, double secondsBefore) {
+  const auto percentVisible = [&](const LuminanceMap& a, const LuminanceMap& b) {
+    return aqm::percentVisible(
+        aqm::compare(a, b, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()}).probability,
+        Mask());
+  };
+  std::vector<ConvergencePoint> points;
+  LuminanceMap afterHalf;
+  renderProgressively(
+      renderer, camera, settings, mostPaths, [&](const Frame& frame, int paths, double seconds) {
+        LuminanceMap now = seenOnDisplay(frame, settings);
+        ConvergencePoint point{secondsBefore + seconds, paths, percentVisible(now, converged), {}};
+        if (!afterHalf.empty()) point.predictedPercent = percentVisible(now, afterHalf);
+        points.push_back(point);
+        afterHalf = std::move(now);
+      });
+  return points;
+}
+
+}  // namespace promenade::walkthrough

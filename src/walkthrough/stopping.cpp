@@ -1,0 +1,109 @@
+#include "src/walkthrough/stopping.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "src/walkthrough/seen.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+/// Pooled JND at which a viewer is counted as seeing a difference: P = 1 - exp(-Jp^3.5).
+const double kVisibleJnd = std::pow(-std::log(1.0 - aqm::kVisibleProbability), 1.0 / 3.5);
+
+/// I_T - I_0.5T is half the difference of two independent halves, so its deviation is that of I_T from the
+/// converged image. Two keyframes that were rendered like this differ by the root of 2 times as much.
+const auto kQuietJnd = static_cast<float>(kVisibleJnd / std::sqrt(2.0));
+
+/// The display pixels and samples of square tiles.
+class Tiles {
+ public:
+  explicit Tiles(const Settings& settings)
+      : size_(settings.size), edge_(settings.stopping->tile), supersample_(settings.supersample) {}
+
+  /// visit(left, top, right, bottom) in display pixels, right and bottom exclusive.
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    for (int top = 0; top < size_.height; top += edge_) {
+      for (int left = 0; left < size_.width; left += edge_) {
+        visit(left, top, std::min(left + edge_, size_.width), std::min(top + edge_, size_.height));
+      }
+    }
+  }
+  [[nodiscard]] bool anySample(const Mask& samples, int left, int top, int right, int bottom) const {
+    for (int y = top * supersample_; y < bottom * supersample_; ++y) {
+      const auto row = samples.row(y).subspan(static_cast<std::size_t>(left * supersample_),
+                                              static_cast<std::size_t>((right - left) * supersample_));
+      if (std::any_of(row.begin(), row.end(), [](std::uint8_t v) { return v != 0; })) return true;
+    }
+    return false;
+  }
+  void clearSamples(Mask& samples, int left, int top, int right, int bottom) const {
+    for (int y = top * supersample_; y < bottom * supersample_; ++y) {
+      for (int x = left * supersample_; x < right * supersample_; ++x) samples(x, y) = 0;
+    }
+  }
+
+ private:
+  Size size_;
+  int edge_;
+  int supersample_;
+};
+
+}  // namespace
+
+StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frameIndex,
+                                       const Renderer& renderer, const Settings& settings,
+                                       PartSeconds& seconds) {
+  assert(settings.stopping);
+  const StoppingRule& rule = *settings.stopping;
+  const Tiles tiles(settings);
+  StoppingStatistics spent;
+  const auto trace = [&](const Mask& selected, PathRange paths) {
+    const Stopwatch watch(seconds.trace);
+    Refined refined = renderer.refine(frame, selected, paths, frameIndex);
+    spent.paths += refined.paths;
+    return std::move(refined.open);
+  };
+  const auto isAnyOpen = [](const Mask& open) {
+    return std::any_of(open.pixels().begin(), open.pixels().end(), [](std::uint8_t v) { return v != 0; });
+  };
+
+  Mask open = trace(mask, {0, rule.firstPaths});
+  spent.mostPaths = rule.firstPaths;
+  if (!isAnyOpen(open)) return spent;
+  LuminanceMap afterHalf = seenOnDisplay(frame, settings);
+  ProbabilityMap predicted(settings.size);
+  for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnyOpen(open); paths *= 2) {
+    Mask goOn = trace(open, {paths, paths});
+    spent.mostPaths = 2 * paths;
+    spent.openTiles = 0;
+    const Stopwatch watch(seconds.metric);
+    LuminanceMap afterAll = seenOnDisplay(frame, settings);
+    const aqm::Result difference =
+        aqm::compare(afterAll, afterHalf, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()});
+    tiles.forEach([&](int left, int top, int right, int bottom) {
+      if (!tiles.anySample(open, left, top, right, bottom)) return;  // what was predicted for it stands
+      int different = 0;
+      for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+          predicted(x, y) = difference.probability(x, y);
+          if (difference.pooledJnd(x, y) > kQuietJnd) ++different;
+        }
+      }
+      if (100.0 * different <= rule.tolerancePercent * (right - left) * (bottom - top)) {
+        tiles.clearSamples(goOn, left, top, right, bottom);
+      } else if (tiles.anySample(goOn, left, top, right, bottom)) {
+        ++spent.openTiles;
+      }
+    });
+    afterHalf = std::move(afterAll);
+    open = std::move(goOn);
+  }
+  spent.predictedPercent = aqm::percentVisible(predicted, Mask());
+  return spent;
+}
+
+}  // namespace promenade::walkthrough

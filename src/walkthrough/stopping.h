@@ -1,0 +1,21 @@
+#pragma once
+// When is a frame done? When a viewer does not see the difference between the image after T paths a sample
+// and the image after T/2: VDP(I_T, I_0.5T) bounds VDP(I_converged, I_T). Decided tile by tile, so that easy
+// parts of a frame stop early. Source: Myszkowski 1998; McNamara, Chalmers, Troscianko (eds.) 2000,
+// section 4.3.3 (alpha = 0.5).
+
+#include "src/walkthrough/walkthrough.h"
+
+namespace promenade::walkthrough {
+
+/// Traces the samples of `frame` (settings.size times settings.supersample, with its visibility) that `mask`
+/// selects, by settings.stopping, which must be there: rule.firstPaths, then as many again, and so on, of
+/// those that stand in a tile a viewer would see a difference in. Samples that are not selected are part of
+/// the image and do not change. The image is seen at rest, which shows more than motion does. Marks the
+/// samples SampleSource::kTraced. Adds to the parts `trace` and `metric` of `seconds`. The result is the same
+/// for any number of threads.
+[[nodiscard]] StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frameIndex,
+                                                     const Renderer& renderer, const Settings& settings,
+                                                     PartSeconds& seconds);
+
+}  // namespace promenade::walkthrough
