@@ -1,6 +1,7 @@
 #include "src/walkthrough/convergence.h"
 
 #include "src/walkthrough/seen.h"
+#include "src/walkthrough/stopping.h"
 
 namespace promenade::walkthrough {
 
@@ -26,18 +27,20 @@ void renderProgressively(const Renderer& renderer, const Camera& camera, const S
 std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Camera& camera,
                                             const Settings& settings, const LuminanceMap& converged,
                                             int mostPaths, double secondsBefore) {
-  const auto percentVisible = [&](const LuminanceMap& a, const LuminanceMap& b) {
-    return aqm::percentVisible(
-        aqm::compare(a, b, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()}).probability,
-        Mask());
+  const auto difference = [&](const LuminanceMap& a, const LuminanceMap& b) {
+    return aqm::compare(a, b, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()});
   };
   std::vector<ConvergencePoint> points;
   LuminanceMap afterHalf;
   renderProgressively(
       renderer, camera, settings, mostPaths, [&](const Frame& frame, int paths, double seconds) {
         LuminanceMap now = seenOnDisplay(frame, settings);
-        ConvergencePoint point{secondsBefore + seconds, paths, percentVisible(now, converged), {}};
-        if (!afterHalf.empty()) point.predictedPercent = percentVisible(now, afterHalf);
+        ConvergencePoint point{secondsBefore + seconds,
+                               paths,
+                               aqm::percentVisible(difference(now, converged).probability, Mask()),
+                               {}};
+        if (!afterHalf.empty())
+          point.predictedPercent = predictedPercent(difference(now, afterHalf).pooledJnd);
         points.push_back(point);
         afterHalf = std::move(now);
       });

@@ -16,7 +16,7 @@ struct ConvergencePoint {
   double seconds = 0.0;                    ///< of tracing up to here, and what went before
   int paths = 0;                           ///< of every sample that needs any
   double percentVisible = 0.0;             ///< of the pixels: P > 0.75 against the converged image
-  std::optional<double> predictedPercent;  ///< against the image after half the paths; nothing for the first
+  std::optional<double> predictedPercent;  ///< stopping.h; nothing for the first image
 };
 
 /// Called with the frame after 1, 2, 4, ... paths and the seconds that tracing took so far.

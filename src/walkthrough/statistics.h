@@ -15,11 +15,10 @@ enum class FrameKind { kKeyframe, kInbetween };
 
 /// What perceptual stopping spent on a frame, and what it predicts (stopping.h).
 struct StoppingStatistics {
-  std::uint64_t paths = 0;  ///< traced, of all samples
-  int mostPaths = 0;        ///< that any sample got
-  double predictedPercent =
-      0.0;            ///< of the frame's pixels: a viewer sees P > 0.75 after T/2 and after T paths
-  int openTiles = 0;  ///< still noisier than asked for when the paths ran out
+  std::uint64_t paths = 0;        ///< traced, of all samples
+  int mostPaths = 0;              ///< that any sample got
+  double predictedPercent = 0.0;  ///< of the pixels would differ visibly between two frames like this
+  int openTiles = 0;              ///< still noisier than asked for when the paths ran out
 };
 
 struct FrameStatistics {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "src/walkthrough/seen.h"
@@ -12,10 +13,6 @@ namespace {
 
 /// Pooled JND at which a viewer is counted as seeing a difference: P = 1 - exp(-Jp^3.5).
 const double kVisibleJnd = std::pow(-std::log(1.0 - aqm::kVisibleProbability), 1.0 / 3.5);
-
-/// I_T - I_0.5T is half the difference of two independent halves, so its deviation is that of I_T from the
-/// converged image. Two keyframes that were rendered like this differ by the root of 2 times as much.
-const auto kQuietJnd = static_cast<float>(kVisibleJnd / std::sqrt(2.0));
 
 /// The display pixels and samples of square tiles.
 class Tiles {
@@ -54,6 +51,19 @@ class Tiles {
 
 }  // namespace
 
+bool isPredictedVisible(float pooledJnd) {
+  // I_T - I_0.5T is half the difference of two independent halves, so its deviation is that of I_T from the
+  // converged image. Two frames differ by the root of 2 times as much.
+  return std::numbers::sqrt2 * pooledJnd > kVisibleJnd;
+}
+
+double predictedPercent(const JndMap& pooledJnd) {
+  const auto pixels = pooledJnd.pixels();
+  if (pixels.empty()) return 0.0;
+  return 100.0 * static_cast<double>(std::count_if(pixels.begin(), pixels.end(), isPredictedVisible)) /
+         static_cast<double>(pixels.size());
+}
+
 StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frameIndex,
                                        const Renderer& renderer, const Settings& settings,
                                        PartSeconds& seconds) {
@@ -75,7 +85,7 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
   spent.mostPaths = rule.firstPaths;
   if (!isAnyOpen(open)) return spent;
   LuminanceMap afterHalf = seenOnDisplay(frame, settings);
-  ProbabilityMap predicted(settings.size);
+  JndMap predicted(settings.size);
   for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnyOpen(open); paths *= 2) {
     Mask goOn = trace(open, {paths, paths});
     spent.mostPaths = 2 * paths;
@@ -89,8 +99,8 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
       int different = 0;
       for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) {
-          predicted(x, y) = difference.probability(x, y);
-          if (difference.pooledJnd(x, y) > kQuietJnd) ++different;
+          predicted(x, y) = difference.pooledJnd(x, y);
+          if (isPredictedVisible(predicted(x, y))) ++different;
         }
       }
       if (100.0 * different <= rule.tolerancePercent * (right - left) * (bottom - top)) {
@@ -102,7 +112,7 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
     afterHalf = std::move(afterAll);
     open = std::move(goOn);
   }
-  spent.predictedPercent = aqm::percentVisible(predicted, Mask());
+  spent.predictedPercent = predictedPercent(predicted);
   return spent;
 }
 

@@ -8,6 +8,12 @@
 
 namespace promenade::walkthrough {
 
+/// Would two frames, each as far from convergence as this one, differ visibly at a pixel whose pooled JND
+/// between I_T and I_0.5T is this?
+[[nodiscard]] bool isPredictedVisible(float pooledJnd);
+/// Per cent of the pixels for which that is so.
+[[nodiscard]] double predictedPercent(const JndMap& pooledJnd);
+
 /// Traces the samples of `frame` (settings.size times settings.supersample, with its visibility) that `mask`
 /// selects, by settings.stopping, which must be there: rule.firstPaths, then as many again, and so on, of
 /// those that stand in a tile a viewer would see a difference in. Samples that are not selected are part of

@@ -47,7 +47,7 @@ TEST(Convergence, OfAQuietWallIsThereAtOnce) {
   }
 }
 
-TEST(Convergence, OfANoisyWallFallsAndThePredictionFallsWithIt) {
+TEST(Convergence, OfANoisyWallFallsAndThePredictionBoundsIt) {
   // At 1 per cent of contrast noise of this grain is just visible (method.md): 0.3 needs some 900 paths.
   const NoisyWall wall(
       kSize, [](int, int) { return 0.3; }, 1);
@@ -56,8 +56,7 @@ TEST(Convergence, OfANoisyWallFallsAndThePredictionFallsWithIt) {
   EXPECT_LT(points.back().percentVisible, 1.0);
   for (std::size_t i = 1; i < points.size(); ++i) {
     EXPECT_LE(points[i].percentVisible, points[i - 1].percentVisible + 1.0);
-    // Both differences have the same deviation: equal but for chance.
-    EXPECT_NEAR(*points[i].predictedPercent, points[i].percentVisible, 25.0) << points[i].paths;
+    EXPECT_GE(*points[i].predictedPercent, points[i].percentVisible - 1.0) << points[i].paths;
   }
 }
 

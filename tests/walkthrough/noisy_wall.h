@@ -36,8 +36,8 @@ class NoisyWall final : public Renderer {
         if (mask(x, y) == 0) continue;
         const double contrast = contrast_(x, y);
         const double now = kGrey * (1.0 + std::max(contrast, 0.0) * deviation / std::sqrt(paths.count));
-        const double all =
-            (frame.diffuse(x, y).x * paths.before + now * paths.count) / (paths.before + paths.count);
+        const double all = (static_cast<double>(frame.diffuse(x, y).x) * paths.before + now * paths.count) /
+                           (paths.before + paths.count);
         frame.diffuse(x, y) = Rgb(static_cast<float>(all));
         refined.open(x, y) = contrast >= 0.0 ? 1 : 0;
         refined.paths += static_cast<std::uint64_t>(paths.count);

@@ -66,9 +66,9 @@ TEST(Stopping, WhatMayBeNoisyIsComparedOnceAtLeast) {
 TEST(Stopping, TwiceTheNoiseTakesFourTimesThePaths) {
   // What counts is contrast / sqrt(paths): twice the contrast is as visible with four times the paths.
   const NoisyWall once(
-      kSize, [](int, int) { return 0.1; }, 1);
+      kSize, [](int, int) { return 0.05; }, 1);
   const NoisyWall twice(
-      kSize, [](int, int) { return 0.2; }, 1);
+      kSize, [](int, int) { return 0.1; }, 1);
   const StoppingStatistics a = trial(once).spent;
   const StoppingStatistics b = trial(twice).spent;
   EXPECT_GT(a.mostPaths, 32);
@@ -86,7 +86,7 @@ TEST(Stopping, EasyTilesStopEarly) {
 }
 
 TEST(Stopping, TwoFramesThatStoppedDoNotDifferVisibly) {
-  for (const double contrast : {0.05, 0.15, 0.3}) {
+  for (const double contrast : {0.03, 0.07, 0.15}) {
     SCOPED_TRACE(contrast);
     const NoisyWall wall(
         kSize, [=](int, int) { return contrast; }, 1);
