@@ -124,7 +124,7 @@ Rgb PathTracer::seeBeyond(Sight sight, Rgb share, const Sampler::Stream& stream,
   const float least =
       settings_.solution
           ? kLeastWeight
-          : std::max(kLeastWeight, kLeastPathsOfALine / static_cast<float>(settings_.pathsPerSample));
+          : std::max(kLeastWeight, kLeastPathsOfALine / static_cast<float>(stream.pathsPerPixel));
   if (weight < least) {
     const float survival = weight / least;
     const Sampler::Stream numbers = sight.numbersOf(stream);
