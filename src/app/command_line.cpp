@@ -215,7 +215,7 @@ struct VerbEntry {
   const char* about;
 };
 
-constexpr std::array<VerbEntry, 6> kVerbs = {{
+constexpr std::array<VerbEntry, 7> kVerbs = {{
     {Verb::kRender, "render", "Render a walk through a scene: frames, video and report"},
     {Verb::kCompare, "compare",
      "Where would a viewer see a difference between two images, sequences or videos?"},
@@ -442,7 +442,7 @@ std::vector<VerbHelp> describeVerbs() {
 CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   if (arguments.empty())
-    throw InputError("expected a verb: render, compare, path, encode, report or info (promenade --help)");
+    throw InputError("expected a verb: render, compare, path, encode, report, info or converge (promenade --help)");
   const std::string& first = arguments.front();
   if (const auto text = madeOfHelp(arguments)) {
     line.text = *text;

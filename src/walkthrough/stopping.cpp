@@ -116,4 +116,49 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
   return spent;
 }
 
+StoppingRenderer::StoppingRenderer(const Renderer& renderer, const Settings& settings)
+    : renderer_(renderer), settings_(settings) {}
+
+void StoppingRenderer::trace(Frame& frame, const Mask& mask, int frameIndex) const {
+  const StoppingStatistics spent =
+      traceUntilInvisible(frame, mask, frameIndex, renderer_, settings_, seconds_);
+  spent_.paths += spent.paths;
+  spent_.mostPaths = std::max(spent_.mostPaths, spent.mostPaths);
+  spent_.predictedPercent = std::min(100.0, spent_.predictedPercent + spent.predictedPercent);
+  spent_.openTiles += spent.openTiles;
+}
+
+Visibility StoppingRenderer::visibility(const Camera& camera) const {
+  return renderer_.visibility(camera);
+}
+
+void StoppingRenderer::retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const {
+  trace(frame, mask, frameIndex);
+  for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+    if (mask.pixels()[i] != 0) frame.source.pixels()[i] = source;
+  }
+}
+
+Refined StoppingRenderer::refine(Frame& frame, const Mask& mask, PathRange paths, int frameIndex) const {
+  return renderer_.refine(frame, mask, paths, frameIndex);
+}
+
+Frame StoppingRenderer::render(const Camera& camera, int frameIndex) const {
+  Frame frame = unshaded(renderer_.visibility(camera));
+  trace(frame, Mask(frame.diffuse.size(), 1), frameIndex);
+  return frame;
+}
+
+ItemTraits StoppingRenderer::traits(ItemId item) const {
+  return renderer_.traits(item);
+}
+
+RayCounts StoppingRenderer::rayCounts() const {
+  return renderer_.rayCounts();
+}
+
+StoppingStatistics StoppingRenderer::spent() const {
+  return std::exchange(spent_, {});
+}
+
 }  // namespace promenade::walkthrough

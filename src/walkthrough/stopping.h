@@ -24,4 +24,34 @@ namespace promenade::walkthrough {
                                                      const Renderer& renderer, const Settings& settings,
                                                      PartSeconds& seconds);
 
+/// A renderer whose samples are done when a viewer says so: whoever renders with it need not know of paths.
+/// render() and retrace() stop by settings.stopping, which must be there; all else is the other renderer's.
+/// Frames have settings.size times settings.supersample samples. For one thread at a time.
+class StoppingRenderer final : public Renderer {
+ public:
+  /// Both must outlive this.
+  StoppingRenderer(const Renderer& renderer, const Settings& settings);
+
+  [[nodiscard]] Visibility visibility(const Camera& camera) const override;
+  void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const override;
+  [[nodiscard]] Refined refine(Frame& frame, const Mask& mask, PathRange paths,
+                               int frameIndex) const override;
+  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override;
+  [[nodiscard]] ItemTraits traits(ItemId item) const override;
+  [[nodiscard]] RayCounts rayCounts() const override;
+
+  /// Since the last call: paths and tiles of all that was traced, per cent of all pixels together.
+  [[nodiscard]] StoppingStatistics spent() const;
+  /// That all of it took, of the time inside render() and retrace().
+  [[nodiscard]] double secondsInMetric() const { return seconds_.metric; }
+
+ private:
+  void trace(Frame& frame, const Mask& mask, int frameIndex) const;
+
+  const Renderer& renderer_;
+  const Settings& settings_;
+  mutable StoppingStatistics spent_;
+  mutable PartSeconds seconds_;
+};
+
 }  // namespace promenade::walkthrough
