@@ -49,7 +49,7 @@ RenderedJob jobFrom(const Json& root, const std::string& file) {
   r.framesPerSecond = job.at("fps").get<double>();
   r.everyFrameTraced = job.at("method").get<std::string>() == "full";
   r.integrator = job.at("integrator").get<std::string>();
-  r.pathsPerSample = job.at("spp").get<int>();
+  if (const Json& spp = job.at("spp"); !spp.is_null()) r.pathsPerSample = spp.get<int>();
   r.threads = job.at("threads").get<int>();
   r.tone = {toneFrom(job.at("tone").get<std::string>(), file + ": job.tone"),
             job.at("exposure_ev").get<double>()};

@@ -2,6 +2,7 @@
 // A folder that `promenade render` filled, as its report.json tells.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct RenderedJob {
   double framesPerSecond = 25.0;
   bool everyFrameTraced = false;  ///< --method full
   std::string integrator;
-  int pathsPerSample = 0;
+  std::optional<int> pathsPerSample;  ///< nothing: as many as a viewer asked for
   int threads = 0;
   ToneMapping tone;
   DisplayModel display;
