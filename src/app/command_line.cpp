@@ -442,7 +442,8 @@ std::vector<VerbHelp> describeVerbs() {
 CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   if (arguments.empty())
-    throw InputError("expected a verb: render, compare, path, encode, report, info or converge (promenade --help)");
+    throw InputError(
+        "expected a verb: render, compare, path, encode, report, info or converge (promenade --help)");
   const std::string& first = arguments.front();
   if (const auto text = madeOfHelp(arguments)) {
     line.text = *text;
