@@ -326,12 +326,17 @@ TEST(ExposureOf, IsZeroWithoutLight) {
 TEST(AutomaticExposure, BringsTheLogAverageToMiddleGrey) {
   class Grey final : public Renderer {
    public:
-    [[nodiscard]] Visibility visibility(const Camera&) const override { return {}; }
-    void retrace(Frame&, const Mask&, SampleSource, int) const override {}
-    [[nodiscard]] Frame render(const Camera& camera, int) const override {
-      Frame frame;
-      frame.diffuse = RadianceMap(camera.size(), Rgb(0.045f));
-      frame.viewDependent = RadianceMap(camera.size());
+    [[nodiscard]] Visibility visibility(const Camera& camera) const override {
+      return {camera, DepthMap(camera.size(), 1.0f), NormalMap(camera.size()), ItemBuffer(camera.size(), 1)};
+    }
+    void retrace(Frame& frame, const Mask& mask, SampleSource, int) const override {
+      for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+        if (mask.pixels()[i] != 0) frame.diffuse.pixels()[i] = Rgb(0.045f);
+      }
+    }
+    [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
+      Frame frame = unshaded(visibility(camera));
+      retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
       return frame;
     }
     [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
