@@ -217,6 +217,7 @@ class Gatherer {
     bool byDirection;
   };
   [[nodiscard]] Effort coarse() const { return {settings_.coarsePaths, 1, 1, false}; }
+  [[nodiscard]] Effort noisyCoarse() const { return {settings_.noisyCoarsePaths, 1, 1, false}; }
   [[nodiscard]] Effort fine() const {
     return {settings_.pathsPerBatch, settings_.leastBatches, settings_.mostBatches, true};
   }
@@ -285,6 +286,9 @@ class Gatherer {
 constexpr int kCoarsestStride = 32, kFinestStride = 2;  ///< display pixels
 /// How often light is followed from what the cameras see to what sends it there.
 constexpr int kBounceLevels = 2;
+/// How often the coarse records of a noisy scene are gathered again: the first time their paths still end at
+/// noisy ones.
+constexpr int kNoisyPasses = 2;
 
 /// Gathering paths end at these records from now on.
 void use(PathTracer& tracer, const IrradianceRecords& coarse) {
@@ -319,10 +323,13 @@ void extendCoarse(PathTracer& tracer, Gatherer& gatherer, std::span<const Camera
   use(tracer, records);
   gatherer.gather(records, before, gatherer.coarse());
   if (meanRelativeError(records.light(), before) <= settings.noisy) return;
-  // Few paths bring most of the light. Where it comes from is known well enough now.
-  use(tracer, records);
-  tracer.setBright(tracer.findBright());
-  gatherer.gather(records, before, gatherer.coarse());
+  // Few paths bring most of the light. Where it comes from is known well enough now; how much it is, only
+  // when the records that send it are clean.
+  for (int pass = 0; pass < kNoisyPasses; ++pass) {
+    use(tracer, records);
+    tracer.setBright(tracer.findBright());
+    gatherer.gather(records, before, gatherer.noisyCoarse());
+  }
 }
 
 std::uint64_t fingerprint(const Camera& camera) {

@@ -48,6 +48,9 @@ struct SolutionSettings {
   /// surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way of a patch of sun
   /// has 0.18, a hall under windows 0.09 and nothing to gain.
   double noisy = 0.12;
+  /// Per coarse record of such a scene. The errors of coarse records do not average out where few of them
+  /// send most of the light: then they move the whole picture.
+  int noisyCoarsePaths = 1024;
   int pathsPerBatch = 256;
   int leastBatches = 2;
   int mostBatches = 4;
