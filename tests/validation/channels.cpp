@@ -126,11 +126,13 @@ void reportContrastMasking(Report& report) {
   report.plot("contrast_masking", "Threshold elevation by the same Gabor",
               {"mask contrast", Scale::kLogarithmic}, {"threshold / unmasked", Scale::kLogarithmic}, series);
   report.table(table);
-  report.verdict(
-      "Contrast masking in phase",
-      "slopes on the same Gabor " + table[1][2] + " (aqm), " + table[2][2] + " (revised), " + table[4][2] +
-          " (vdp); on a grating " + table[1][3] + ", " + table[2][3] + ", " + table[4][3],
-      "0.6 to 0.7 is expected: fits where mask and test share their channels, not on a grating; no dipper");
+  report.verdict("Contrast masking in phase",
+                 "slopes on the same Gabor " + table[1][2] + " (aqm), " + table[2][2] + " (revised), " +
+                     table[4][2] + " (vdp); on a grating " + table[1][3] + ", " + table[2][3] + ", " +
+                     table[4][3],
+                 "0.6 to 0.7 is expected: aqm fits where mask and test share their channels, the others mask "
+                 "too little at high "
+                 "contrast; none fits on a grating; no dipper");
   report.text(
       "Thresholds are never lowered: there is no dipper. On a grating, which is in fewer channels than the "
       "Gabor, the Gabor is found by "
