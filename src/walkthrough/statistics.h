@@ -33,7 +33,7 @@ struct FrameStatistics {
   /// Of these, samples of such items of which only the diffuse layer was: the view-dependent one is that of
   /// traced samples of the same frame around them.
   std::uint64_t layered = 0;
-  std::uint64_t reused = 0;  ///< of the warped, samples that no keyframe could fill
+  std::uint64_t reused = 0;                    ///< of the warped, samples that no keyframe could fill
   std::optional<StoppingStatistics> stopping;  ///< nothing: the number of paths was given
   double seconds = 0.0;
 };
