@@ -16,6 +16,8 @@ import browser
 
 PROMENADE = ""
 FOLDER = pathlib.Path()
+# The page names the folder that the command was given in; this one has no place where a browser would break the line.
+WIDE_NAME = "where_it_was_rendered_and_wider_than_any_telephone"
 
 
 def write_scene(folder):
@@ -39,7 +41,8 @@ def write_scene(folder):
 
 
 def run(*arguments):
-    done = subprocess.run([PROMENADE, *map(str, arguments)], capture_output=True, text=True, check=False)
+    (FOLDER / WIDE_NAME).mkdir(exist_ok=True)
+    done = subprocess.run([PROMENADE, *map(str, arguments)], capture_output=True, text=True, check=False, cwd=FOLDER / WIDE_NAME)
     if done.returncode != 0:
         raise RuntimeError(done.stderr)
 
@@ -198,7 +201,7 @@ class ReportPage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROMENADE = sys.argv[1]
+    PROMENADE = str(pathlib.Path(sys.argv[1]).absolute())
     reason = browser.missing()
     if reason:
         print(f"SKIPPED: report.html was not tested in a browser: {reason}")
