@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -96,34 +97,61 @@ void IrradianceRecords::forEachNear(const glm::vec3& position, const Visit& visi
   }
 }
 
+std::size_t IrradianceRecords::firstSlot(const Cell& cell) const {
+  return CellHash{}(cell) & (slots_.size() - 1);
+}
+
+std::span<const IrradianceRecords::Entry> IrradianceRecords::entriesOf(const Cell& cell,
+                                                                       std::size_t slot) const {
+  for (std::size_t i = slot; slots_[i].begin < slots_[i].end; i = (i + 1) & (slots_.size() - 1)) {
+    if (slots_[i].cell == cell)
+      return std::span(entries_).subspan(slots_[i].begin, slots_[i].end - slots_[i].begin);
+  }
+  return {};
+}
+
 template <class Visit>
 void IrradianceRecords::forEachLitNear(const glm::vec3& position, const Visit& visit) const {
   if (slots_.empty()) return;
-  const std::size_t mask = slots_.size() - 1;
-  for (const int level : levels_) {
-    const Cell cell = cellOf(level, position);
-    for (std::size_t i = CellHash{}(cell)&mask; slots_[i].begin < slots_[i].end; i = (i + 1) & mask) {
-      if (!(slots_[i].cell == cell)) continue;
-      for (std::uint32_t e = slots_[i].begin; e < slots_[i].end; ++e) {
-        if (!visit(entries_[e])) return;
+  // What several levels need is asked of memory at once.
+  constexpr std::size_t kAtOnce = 8;
+  std::array<Cell, kAtOnce> cells;
+  std::array<std::size_t, kAtOnce> slots;
+  std::array<std::span<const Entry>, kAtOnce> found;
+  for (std::size_t first = 0; first < levels_.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, levels_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      cells[i] = cellOf(levels_[first + i], position);
+      slots[i] = firstSlot(cells[i]);
+      __builtin_prefetch(&slots_[slots[i]]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      found[i] = entriesOf(cells[i], slots[i]);
+      __builtin_prefetch(found[i].data());
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const Entry& entry : found[i]) {
+        if (!visit(entry)) return;
       }
-      break;
     }
   }
 }
 
-Rgb IrradianceRecords::radianceBeside(std::uint32_t record, const glm::vec3& position) const {
-  const Rgb& radiance = light_[record].radiance;
-  const Fit& gradient = fits_[record];
-  const glm::vec3 offset = position - places_[record].position;
-  const Rgb change(glm::dot(gradient.r, offset), glm::dot(gradient.g, offset), glm::dot(gradient.b, offset));
-  return radiance + glm::clamp(change, -kMostChange * radiance, kMostChange * radiance);
+SurfaceLight IrradianceRecords::lightOf(std::uint32_t record) const {
+  return {known_[record].fit.radiance, known_[record].meanDirection};
 }
 
-Rgb IrradianceRecords::radianceFrom(std::uint32_t record, const glm::vec3& position,
+SurfaceLight IrradianceRecords::lightBeside(const Entry& entry, const glm::vec3& position) const {
+  const Fit& fit = known_[entry.record].fit;
+  const glm::vec3 offset = position - entry.place.position;
+  const Rgb change(glm::dot(fit.r, offset), glm::dot(fit.g, offset), glm::dot(fit.b, offset));
+  return {fit.radiance + glm::clamp(change, -kMostChange * fit.radiance, kMostChange * fit.radiance),
+          known_[entry.record].meanDirection};
+}
+
+Rgb IrradianceRecords::radianceFrom(const Entry& entry, const glm::vec3& position,
                                     const glm::vec3& normal) const {
-  const SurfaceLight beside{radianceBeside(record, position), light_[record].meanDirection};
-  return radianceAround(beside, places_[record].normal, normal);
+  return radianceAround(lightBeside(entry, position), entry.place.normal, normal);
 }
 
 IrradianceRecords::Coverage IrradianceRecords::coverage(const glm::vec3& position,
@@ -133,12 +161,12 @@ IrradianceRecords::Coverage IrradianceRecords::coverage(const glm::vec3& positio
     const RecordPlace& place = places_[record];
     const float weight = weightOf(place, position, normal);
     if (!(weight > 0.0f)) return;
-    const bool lit = record < light_.size();
+    const bool lit = record < known_.size();
     result.finestReach = std::min(result.finestReach, place.reach);
     result.covered = result.covered || weight > 1.0f - kCovered;
     result.coveredNew = result.coveredNew || (!lit && weight > 1.0f - kCovered);
     if (!lit) return;
-    const float value = luminance(radianceFrom(record, position, normal));
+    const float value = luminance(radianceFrom({place, record}, position, normal));
     result.least = std::min(result.least, value);
     result.most = std::max(result.most, value);
   });
@@ -182,25 +210,32 @@ void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<Li
   assert(fields.empty() || fields.size() == light.size());
   fields_ = std::move(fields);
   gathered_ = std::move(light);
-  light_ = gathered_;
+  known_.resize(gathered_.size());
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    known_[i] = {{gathered_[i].radiance}, gathered_[i].meanDirection};
+  }
   fileLit();
-  fits_.assign(light_.size(), {});
-  const auto fitAll = [this] {
-    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(light_.size()),
-                      [this](std::uint32_t i) { fits_[i] = fitAround(i); });
+  std::vector<Fit> fits(known_.size());
+  const auto fitAll = [this, &fits] {
+    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(fits.size()),
+                      [this, &fits](std::uint32_t i) { fits[i] = fitAround(i); });
   };
   for (int pass = 0; pass < kSmoothings; ++pass) {
     fitAll();
-    for (std::size_t i = 0; i < light_.size(); ++i) {
+    for (std::size_t i = 0; i < fits.size(); ++i) {
       // What the neighbours expect here is taken as far as it explains what was gathered by its noise.
       const float gathered = luminance(gathered_[i].radiance);
-      const float surprise = std::abs(luminance(fits_[i].radiance) - gathered);
+      const float surprise = std::abs(luminance(fits[i].radiance) - gathered);
       const float noise = kNoise * gathered_[i].error;
       const float trust = noise > 0.0f ? std::clamp(2.0f - surprise / noise, 0.0f, 1.0f) : 0.0f;
-      light_[i].radiance = glm::mix(gathered_[i].radiance, glm::max(fits_[i].radiance, Rgb(0.0f)), trust);
+      known_[i].fit.radiance = glm::mix(gathered_[i].radiance, glm::max(fits[i].radiance, Rgb(0.0f)), trust);
     }
   }
   fitAll();
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    fits[i].radiance = known_[i].fit.radiance;
+    known_[i].fit = fits[i];
+  }
 }
 
 void IrradianceRecords::fileLit() {
@@ -210,11 +245,11 @@ void IrradianceRecords::fileLit() {
   for (const auto& [cell, records] : cells_) {
     Slot slot{cell, static_cast<std::uint32_t>(entries_.size()), 0};
     for (const std::uint32_t record : records) {
-      if (record < light_.size()) entries_.push_back({places_[record], record});
+      if (record < known_.size()) entries_.push_back({places_[record], record});
     }
     slot.end = static_cast<std::uint32_t>(entries_.size());
     if (slot.begin == slot.end) continue;
-    std::size_t i = CellHash{}(cell)&mask;
+    std::size_t i = firstSlot(cell);
     while (slots_[i].begin < slots_[i].end) i = (i + 1) & mask;
     slots_[i] = slot;
   }
@@ -232,7 +267,7 @@ IrradianceRecords::Fit IrradianceRecords::fitAround(std::uint32_t record) const 
     const float weight = weightOf(entry.place, here.position, here.normal);
     if (!(weight > 0.0f)) return true;
     const glm::vec3 offset = (entry.place.position - here.position) / here.reach;
-    const Rgb value = radianceAround(light_[entry.record], entry.place.normal, here.normal);
+    const Rgb value = radianceAround(lightOf(entry.record), entry.place.normal, here.normal);
     const float u = glm::dot(offset, x);
     const float v = glm::dot(offset, y);
     w += weight;
@@ -276,8 +311,8 @@ std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, con
     // Where fine and coarse records overlap the fine ones know better.
     const float weight = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
     if (!(weight > 0.0f)) return true;
-    sum.radiance += radianceFrom(entry.record, position, normal) * weight;
-    sum.meanDirection += light_[entry.record].meanDirection * weight;
+    sum.radiance += radianceFrom(entry, position, normal) * weight;
+    sum.meanDirection += known_[entry.record].meanDirection * weight;
     weights += weight;
     return true;
   });
@@ -288,17 +323,17 @@ std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, con
 std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position,
                                                          const glm::vec3& normal) const {
   float best = 0.0f;
-  std::uint32_t record = 0;
+  const Entry* nearest = nullptr;
   forEachLitNear(position, [&](const Entry& entry) {
     const float weight = weightOf(entry.place, position, normal);
     if (weight > best) {
       best = weight;
-      record = entry.record;
+      nearest = &entry;
     }
     return best <= 1.0f - kCovered;
   });
-  if (!(best > 0.0f)) return std::nullopt;
-  return SurfaceLight{radianceFrom(record, position, normal), light_[record].meanDirection};
+  if (nearest == nullptr) return std::nullopt;
+  return SurfaceLight{radianceFrom(*nearest, position, normal), known_[nearest->record].meanDirection};
 }
 
 std::optional<Rgb> IrradianceRecords::meanArriving(const glm::vec3& position, const glm::vec3& normal,
@@ -319,7 +354,7 @@ std::optional<Rgb> IrradianceRecords::meanArriving(const glm::vec3& position, co
       wholeLobe = lobe.sum();
     }
     // Noise and change of the light as a whole are known better than those of its parts.
-    const float known = luminance(radianceBeside(entry.record, position));
+    const float known = luminance(lightBeside(entry, position).radiance);
     sum += share * known * fields_[entry.record].weighted(lobe);
     weights += share * wholeLobe;
     return true;

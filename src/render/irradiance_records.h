@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -106,12 +107,17 @@ class IrradianceRecords {
     Rgb radiance{0.0f};
     glm::vec3 r{0.0f}, g{0.0f}, b{0.0f};
   };
-  /// All that a look-up needs, together in memory.
+  // A look-up's time goes into waiting for memory. All that it needs of one record, and what finds it, lies
+  // each within a line of the cache.
+  struct alignas(64) Known {
+    Fit fit;  ///< without the noise that the neighbours do not share
+    glm::vec3 meanDirection{0.0f};
+  };
   struct Entry {
     RecordPlace place;
     std::uint32_t record;
   };
-  struct Slot {
+  struct alignas(32) Slot {
     Cell cell{};
     std::uint32_t begin = 0, end = 0;  ///< of entries_; empty: end of a search
   };
@@ -122,9 +128,13 @@ class IrradianceRecords {
   /// `visit` returns whether to go on.
   template <class Visit>
   void forEachLitNear(const glm::vec3& position, const Visit& visit) const;
+  [[nodiscard]] std::size_t firstSlot(const Cell& cell) const;
+  /// Entries of the cell whose search begins at that slot.
+  [[nodiscard]] std::span<const Entry> entriesOf(const Cell& cell, std::size_t slot) const;
+  [[nodiscard]] SurfaceLight lightOf(std::uint32_t record) const;
   /// On an element that faces where the record does.
-  [[nodiscard]] Rgb radianceBeside(std::uint32_t record, const glm::vec3& position) const;
-  [[nodiscard]] Rgb radianceFrom(std::uint32_t record, const glm::vec3& position,
+  [[nodiscard]] SurfaceLight lightBeside(const Entry& entry, const glm::vec3& position) const;
+  [[nodiscard]] Rgb radianceFrom(const Entry& entry, const glm::vec3& position,
                                  const glm::vec3& normal) const;
   [[nodiscard]] Fit fitAround(std::uint32_t record) const;
   void fileLit();
@@ -135,8 +145,7 @@ class IrradianceRecords {
 
   // Of the lit records.
   std::vector<SurfaceLight> gathered_;
-  std::vector<SurfaceLight> light_;  // without the noise that the neighbours do not share
-  std::vector<Fit> fits_;
+  std::vector<Known> known_;
   std::vector<LightField> fields_;  // empty, or one for each
   std::vector<Entry> entries_;      // cell by cell
   std::vector<Slot> slots_;         // open addressing; a power of two of them

@@ -19,7 +19,7 @@ namespace promenade::render {
 class LightField {
  public:
   /// The concentric map from square to disk, whose radius r then becomes height z = (1 - r^2)^2.
-  static constexpr int kSide = 12;
+  static constexpr int kSide = 16;
   static constexpr std::size_t kCells = std::size_t{kSide} * kSide;
 
   /// A number for each cell, aligned for kLanes at a time.

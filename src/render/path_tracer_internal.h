@@ -35,10 +35,9 @@ constexpr float kBroadRoughness = 0.5f;
 /// chance only, and is nearly the same when it leaves the floor in all directions.
 constexpr float kBroadToTheBlurred = 0.2f;
 
-/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is wider than
-/// the solution's directions are apart, and a few paths would only add noise to it. A metal shows nothing
-/// else, and what the cells blur shows sooner.
-constexpr float kBroadToTheEye = 0.4f, kBroadMetalToTheEye = 0.5f;
+/// From this roughness on the reflection seen directly is taken from the solution too: its lobe is as wide as
+/// the solution's directions are apart, and hundreds of paths would not be as clean.
+constexpr float kBroadToTheEye = 0.3f;
 
 /// Surfaces with less diffuse albedo than this have no records, unless their reflection is broad.
 constexpr float kLeastDiffuse = 0.01f;
@@ -49,7 +48,7 @@ inline bool isOpaqueBeyond(const BsdfParameters& bsdf, float roughness) {
 }
 
 inline bool isBroadToTheEye(const BsdfParameters& bsdf) {
-  return isOpaqueBeyond(bsdf, glm::mix(kBroadToTheEye, kBroadMetalToTheEye, bsdf.metallic));
+  return isOpaqueBeyond(bsdf, kBroadToTheEye);
 }
 
 /// Panes stay clear: light goes straight through them in next event estimation too.

@@ -48,15 +48,15 @@ Vector readMasking(const SpecularAlbedoTable::Masking& table, Vector cosine, Vec
 }  // namespace
 
 LightField::Weights weigh(const ReflectionLobe& lobe, const Basis& shading, const Basis& field) {
+  static const Cells& kCells = cells();
   const auto set = [](float value) { return hn::Set(kTag, value); };
   const auto axis = [&](const glm::vec3& local, std::size_t i) {
-    return hn::MulAdd(set(glm::dot(field.x, local)), hn::Load(kTag, cells().x.at(i)),
-                      hn::MulAdd(set(glm::dot(field.y, local)), hn::Load(kTag, cells().y.at(i)),
-                                 hn::Mul(set(glm::dot(field.z, local)), hn::Load(kTag, cells().z.at(i)))));
+    return hn::MulAdd(set(glm::dot(field.x, local)), hn::Load(kTag, kCells.x.at(i)),
+                      hn::MulAdd(set(glm::dot(field.y, local)), hn::Load(kTag, kCells.y.at(i)),
+                                 hn::Mul(set(glm::dot(field.z, local)), hn::Load(kTag, kCells.z.at(i)))));
   };
   const float alpha2 = lobe.alpha * lobe.alpha;
   const Vector one = set(1.0f);
-  const Vector half = set(0.5f);
   const Vector least = set(1e-6f);
   const Vector alphaSquared = set(alpha2);
   const Vector cosOut = set(lobe.wo.z);
@@ -67,26 +67,27 @@ LightField::Weights weigh(const ReflectionLobe& lobe, const Basis& shading, cons
     const Vector wiY = axis(shading.y, i);
     const Vector wiZ = axis(shading.z, i);
     const Vector cosIn = hn::Max(wiZ, least);
-    // Between unit vectors: |wo + wi|^2 = 2 (1 + wo.wi), and wo.h = |wo + wi| / 2.
+    // Between unit vectors |wo + wi|^2 = 2 (1 + wo.wi), wo.h = |wo + wi| / 2 and h.z = (wo + wi).z / |wo +
+    // wi|.
     const Vector cosine =
         hn::MulAdd(wiX, set(lobe.wo.x), hn::MulAdd(wiY, set(lobe.wo.y), hn::Mul(wiZ, cosOut)));
-    const Vector cosHalf2 = hn::Max(hn::Mul(half, hn::Add(one, cosine)), least);
+    const Vector length2 = hn::Max(hn::Mul(set(2.0f), hn::Add(one, cosine)), least);
     const Vector sum = hn::Add(cosIn, cosOut);
-    const Vector height2 = hn::Min(hn::Div(hn::Mul(sum, sum), hn::Mul(set(4.0f), cosHalf2)), one);  // h.z^2
-    // Ggx::distribution() without pi, and Ggx::visibility().
-    const Vector t = hn::MulAdd(height2, hn::Sub(alphaSquared, one), one);
+    const Vector height2 = hn::Min(hn::Mul(sum, sum), length2);  // h.z^2 |wo + wi|^2
+    // Ggx::distribution() without pi, and Ggx::visibility(), both times |wo + wi|^4.
+    const Vector t = hn::MulAdd(height2, hn::Sub(alphaSquared, one), length2);
     const Vector rootIn =
         hn::Sqrt(hn::MulAdd(hn::Sub(one, alphaSquared), hn::Mul(cosIn, cosIn), alphaSquared));
-    const Vector facets =
-        hn::Div(hn::Mul(set(0.5f / std::numbers::pi_v<float>), alphaSquared),
-                hn::Mul(hn::Mul(t, t), hn::MulAdd(cosIn, rootOut, hn::Mul(cosOut, rootIn))));
-    const Vector grazing = hn::Max(hn::Sub(one, hn::Sqrt(cosHalf2)), hn::Zero(kTag));
+    const Vector facets = hn::Div(
+        hn::Mul(hn::Mul(set(0.5f / std::numbers::pi_v<float>), alphaSquared), hn::Mul(length2, length2)),
+        hn::Mul(hn::Mul(t, t), hn::MulAdd(cosIn, rootOut, hn::Mul(cosOut, rootIn))));
+    const Vector grazing = hn::Max(hn::NegMulAdd(set(0.5f), hn::Sqrt(length2), one), hn::Zero(kTag));
     const Vector grazing2 = hn::Mul(grazing, grazing);
     const Vector schlick = hn::Mul(hn::Mul(grazing2, grazing2), grazing);
     const Vector fresnel = hn::MulAdd(set(lobe.f90 - lobe.f0), schlick, set(lobe.f0));
     const Vector missing = hn::Sub(one, readMasking(lobe.masking, cosIn, set(lobe.alpha)));
     const Vector value = hn::Mul(hn::MulAdd(fresnel, facets, hn::Mul(set(lobe.again), missing)),
-                                 hn::Mul(cosIn, hn::Load(kTag, cells().solidAngle.at(i))));
+                                 hn::Mul(cosIn, hn::Load(kTag, kCells.solidAngle.at(i))));
     hn::Store(hn::IfThenElseZero(hn::Gt(wiZ, hn::Zero(kTag)), value), kTag, weights.at(i));
   }
   return weights;
