@@ -397,6 +397,19 @@ std::optional<std::string> madeOfHelp(const std::vector<std::string>& arguments)
                    nearest(arguments[1], verbNames()) + "'?");
 }
 
+std::map<std::string, std::string> givenTo(const CLI::App& verb) {
+  std::map<std::string, std::string> values;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->get_positional() || option->get_lnames().empty()) continue;
+    const bool flag = option->get_expected_max() == 0;
+    const std::string value = option->count() == 0 ? option->get_default_str()
+                              : flag               ? "true"
+                                                   : option->results().back();
+    if (!value.empty()) values.emplace(option->get_lnames().front(), value);
+  }
+  return values;
+}
+
 std::string generalHelp() {
   std::string text =
       "Promenade: walkthrough animations of static scenes, by image-based rendering under a perceptual "
@@ -488,6 +501,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {"promenade"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   line.render.command = shellWords(words);
+  line.render.all = givenTo(verb);
   return line;
 }
 

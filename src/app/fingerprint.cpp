@@ -52,6 +52,7 @@ void addScene(Fingerprint& fingerprint, const Scene& scene) {
   for (const Mesh& mesh : scene.meshes) {
     fingerprint.addArray(std::span<const glm::vec3>(mesh.positions));
     fingerprint.addArray(std::span<const glm::vec3>(mesh.normals));
+    fingerprint.addArray(std::span<const glm::vec4>(mesh.tangents));
     fingerprint.addArray(std::span<const glm::vec2>(mesh.texCoords[0]));
     fingerprint.addArray(std::span<const glm::vec2>(mesh.texCoords[1]));
     fingerprint.addArray(std::span<const glm::vec4>(mesh.colors));

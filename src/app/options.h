@@ -2,6 +2,7 @@
 // What a user may type, as typed: the verbs turn the texts into values (values.h), so that every mistake gets
 // one clear line.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct RenderOptions {
   bool maps = false;
   SceneOptions load;
   std::string command;  ///< the command line itself, for a shell
+  /// Every option by its long name without "--", as typed, configured or by default; "true" for flags that
+  /// are set. Sorted by name.
+  std::map<std::string, std::string> all;
 };
 
 /// Choices of the metric's pipeline, each empty: as --metric has it.

@@ -14,16 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Files whose names are those of frames: digits and ".exr".
-std::vector<fs::path> framesIn(const fs::path& folder) {
-  std::vector<fs::path> frames;
+// Files whose names are digits and `extension`.
+std::vector<fs::path> numbered(const fs::path& folder, const char* extension) {
+  std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string stem = entry.path().stem().string();
     const bool digits = !stem.empty() && stem.find_first_not_of("0123456789") == std::string::npos;
-    if (digits && entry.path().extension() == ".exr") frames.push_back(entry.path());
+    if (digits && entry.path().extension() == extension) files.push_back(entry.path());
   }
-  std::sort(frames.begin(), frames.end());
-  return frames;
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 void removeFile(const fs::path& file) {
@@ -36,24 +36,32 @@ void removeFile(const fs::path& file) {
 
 OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing existing)
     : folder_(std::move(folder)) {
-  makeFolder(folder_ / "frames");
+  for (const char* part : {"frames", "parts"}) {
+    makeFolder(folder_ / part);
+    io::removeLeftoverTemporaries(folder_ / part);
+  }
   io::removeLeftoverTemporaries(folder_);
-  io::removeLeftoverTemporaries(folder_ / "frames");
-  for (const fs::path& frame : framesIn(folder_ / "frames")) {
-    if (existing == Existing::kOverwrite) {
-      removeFile(frame);
-      continue;
-    }
+  // Creating and discarding a file shows whether the folder can be written, before any work is done.
+  const io::AtomicFile probe(folder_ / "frames" / "probe");
+  if (existing == Existing::kOverwrite) {
+    removeJob();
+    return;
+  }
+  for (const fs::path& frame : numbered(folder_ / "frames", ".exr")) {
     if (io::readFrameMetadata(frame).jobHash != hash) {
       throw InputError(folder_.string(), "holds frames of another job (" + frame.filename().string() +
                                              "); choose another folder, or --overwrite to replace them");
     }
   }
-  if (existing == Existing::kOverwrite) {
-    for (const char* name : {"report.json", "report.html", "walkthrough.mp4"}) removeFile(folder_ / name);
+}
+
+void OutputFolder::removeJob() const {
+  // The report first and the records before the frames: whenever this ends, nothing claims to be done.
+  for (const char* name : {"report.json", "report.html", "walkthrough.mp4", "prepared.json", "light.json"}) {
+    removeFile(folder_ / name);
   }
-  // Creating and discarding a file shows whether the folder can be written, before any work is done.
-  const io::AtomicFile probe(folder_ / "frames" / "probe");
+  for (const fs::path& record : numbered(folder_ / "parts", ".json")) removeFile(record);
+  for (const fs::path& frame : numbered(folder_ / "frames", ".exr")) removeFile(frame);
 }
 
 fs::path OutputFolder::frame(int index) const {
@@ -66,12 +74,6 @@ fs::path OutputFolder::map(const std::string& name) const {
 
 void OutputFolder::makeMapsFolder() const {
   makeFolder(folder_ / "maps");
-}
-
-int OutputFolder::finishedFrom(int first, int last) const {
-  int index = first;
-  while (index <= last && fs::is_regular_file(frame(index))) ++index;
-  return index - first;
 }
 
 }  // namespace promenade::app

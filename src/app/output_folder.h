@@ -1,5 +1,6 @@
 #pragma once
-// The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/.
+// The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/, and
+// what is needed to go on with it: prepared.json, light.json, parts/.
 
 #include <filesystem>
 #include <string>
@@ -23,10 +24,9 @@ class OutputFolder {
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   void makeMapsFolder() const;
 
-  /// How many frames of the job are there without a gap, from frame `first` on up to `last`.
-  [[nodiscard]] int finishedFrom(int first, int last) const;
-
  private:
+  void removeJob() const;
+
   std::filesystem::path folder_;
 };
 

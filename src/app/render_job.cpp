@@ -1,11 +1,15 @@
 #include "src/app/render_job.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <numbers>
+#include <string_view>
 
 #include "src/app/displays.h"
 #include "src/app/fingerprint.h"
+#include "src/app/interrupt.h"
 #include "src/app/machine.h"
 #include "src/app/path_choice.h"
 #include "src/app/printable.h"
@@ -16,6 +20,7 @@
 #include "src/io/path_file.h"
 #include "src/io/video.h"
 #include "src/scene/sky.h"
+#include "src/walkthrough/statistics.h"
 
 namespace promenade::app {
 namespace {
@@ -33,6 +38,36 @@ Environment skyFrom(const std::string& sun) {
                      printable(sun) + "'");
   }
   return clearSky(degrees.x * kDegree, degrees.y * kDegree, 3.0);
+}
+
+// Every option does unless it is known not to, so that a new one cannot be forgotten. What files hold, and
+// what is resolved into `Settings`, enters the hash as such.
+bool decidesPixels(const std::string& option) {
+  static constexpr std::string_view kDoNot[] = {"path",
+                                                "out",
+                                                "fps",
+                                                "frames",
+                                                "display",
+                                                "environment",
+                                                "light-solution",
+                                                "video",
+                                                "threads",
+                                                "resume",
+                                                "overwrite",
+                                                "maps",
+                                                "config",
+                                                "quiet",
+                                                "log-level",
+                                                "help",
+                                                "allow-outside-folder",
+                                                "max-file-bytes",
+                                                "max-json-bytes",
+                                                "max-texture-bytes",
+                                                "max-geometry-bytes",
+                                                "max-triangles",
+                                                "max-instances",
+                                                "max-expansion"};
+  return std::find(std::begin(kDoNot), std::end(kDoNot), option) == std::end(kDoNot);
 }
 
 }  // namespace
@@ -116,7 +151,8 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
 std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings, const Scene& scene,
                     const paths::CameraPath& path) {
   Fingerprint f;
-  f.add(std::string(PROMENADE_VERSION));
+  // Another program may render other pixels, though it bears the same version.
+  addFile(f, "/proc/self/exe");
   addFile(f, options.scene);
   addScene(f, scene);
   addPath(f, path);
@@ -131,9 +167,11 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
         static_cast<double>(d.transfer)}) {
     f.add(value);
   }
-  for (const std::string& text :
-       {options.method, options.integrator, options.spp, options.tone, options.exposure, options.seed}) {
-    f.add(text);
+  for (const auto& [name, value] : options.all) {
+    if (decidesPixels(name)) {
+      f.add(name);
+      f.add(value);
+    }
   }
   return f.text();
 }
@@ -145,6 +183,21 @@ std::string lightHash(const RenderOptions& options, const Scene& scene) {
   addScene(f, scene);
   f.add(options.seed);
   return f.text();
+}
+
+LoadedJob loadJob(const RenderOptions& options) {
+  LoadedJob job;
+  job.options = options;
+  job.values = renderValues(options);
+  {
+    const walkthrough::Stopwatch watch(job.secondsLoading);
+    job.scene = sceneFor(options);
+    job.path = walkFor(options, job.values, job.scene);
+    job.settings = settingsFor(options, job.values, job.path);
+    job.hash = jobHash(options, job.settings, job.scene, job.path);
+  }
+  throwIfInterrupted();
+  return job;
 }
 
 }  // namespace promenade::app

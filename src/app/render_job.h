@@ -43,11 +43,26 @@ struct RenderValues {
 [[nodiscard]] walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValues& values,
                                                 const paths::CameraPath& path);
 
-/// Equal for jobs whose frames are the same.
+/// Equal for jobs whose frames are the same bit for bit: of all that decides their pixels, the program itself
+/// included.
 [[nodiscard]] std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings,
                                   const Scene& scene, const paths::CameraPath& path);
 
 /// Equal for scenes and seeds whose light solution is the same.
 [[nodiscard]] std::string lightHash(const RenderOptions& options, const Scene& scene);
+
+/// A job with everything it reads.
+struct LoadedJob {
+  RenderOptions options;
+  RenderValues values;
+  Scene scene;
+  paths::CameraPath path;
+  walkthrough::Settings settings;  ///< exposure 0 where it is automatic
+  std::string hash;
+  double secondsLoading = 0.0;
+};
+
+/// Throws InputError.
+[[nodiscard]] LoadedJob loadJob(const RenderOptions& options);
 
 }  // namespace promenade::app

@@ -6,11 +6,6 @@
 #include "src/io/text_file.h"
 
 namespace promenade::app {
-namespace {
-
-constexpr std::size_t kMaximumSolutionBytes = std::size_t{4} << 30;  // 6 million records
-
-}  // namespace
 
 SolvedLight solveLightOf(const paths::CameraPath& path, Size size, const Scene& scene,
                          const LightRequest& request, Console& console) {
@@ -37,7 +32,9 @@ SolvedLight solveLightOf(const paths::CameraPath& path, Size size, const Scene& 
   if (light.solution == known) {
     console.info(file + ": " + std::to_string(now.records) + " light records used again");
   } else {
-    io::writeTextFile(request.file, render::toBytes(*light.solution, request.hash));
+    const std::string bytes = render::toBytes(*light.solution, request.hash);
+    if (request.made) request.made(light.report, bytes);
+    io::writeTextFile(request.file, bytes);
   }
   return light;
 }

@@ -1,8 +1,10 @@
 #pragma once
 // The light solution of a walk and the file that keeps it.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -14,11 +16,17 @@
 
 namespace promenade::app {
 
+/// Of a solution's file that is read: 6 million records.
+inline constexpr std::size_t kMaximumSolutionBytes = std::size_t{4} << 30;
+
 struct LightRequest {
   std::filesystem::path file;  ///< read if it is there, written if anything was added
   std::string hash;            ///< of the scene, its light and the seed (lightHash())
   std::uint64_t seed = 0;
   int threads = 0;
+  /// Told of a solution that was made or extended, with the file's contents, before the file is written. May
+  /// be empty.
+  std::function<void(const walkthrough::LightReport&, const std::string& bytes)> made = {};
 };
 
 struct SolvedLight {

@@ -7,6 +7,14 @@ RayCounts operator-(const RayCounts& now, const RayCounts& before) {
           now.shadow - before.shadow};
 }
 
+RayCounts& RayCounts::operator+=(const RayCounts& more) {
+  visibility += more.visibility;
+  primary += more.primary;
+  scattered += more.scattered;
+  shadow += more.shadow;
+  return *this;
+}
+
 Refined Renderer::refine(Frame& frame, const Mask& mask, PathRange paths, int frameIndex) const {
   if (paths.before == 0) retrace(frame, mask, SampleSource::kTraced, frameIndex);
   return {Mask(mask.size()), 0};

@@ -19,6 +19,9 @@ struct RayCounts {
   std::uint64_t primary = 0;     ///< primary rays of shaded samples
   std::uint64_t scattered = 0;   ///< every later ray of a path
   std::uint64_t shadow = 0;
+
+  RayCounts& operator+=(const RayCounts& more);
+  bool operator==(const RayCounts&) const = default;
 };
 
 /// A stretch of a sample's paths.

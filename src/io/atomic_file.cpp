@@ -87,6 +87,13 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 void AtomicFile::commit() {
   const int descriptor = descriptor_;
   descriptor_ = -1;
+  // Before the name appears, the bytes are where a power failure cannot take them. (EINVAL: a file system
+  // without such a place.)
+  if (::fsync(descriptor) != 0 && errno != EINVAL) {
+    const int error = errno;
+    ::close(descriptor);
+    throwFileError(error, finalPath_, "write");
+  }
   // Network file systems report a full disk only here.
   if (::close(descriptor) != 0 && errno != EINTR) throwFileError(errno, finalPath_, "write");
   if (::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0) throwFileError(errno, finalPath_, "write");

@@ -9,8 +9,8 @@ namespace promenade::io {
 
 /// A file being written. Nothing appears under the final name before commit(); without commit() (an
 /// exception) the destructor removes the temporary. A killed process leaves the temporary: its name is
-/// recognisable (isTemporaryName) and removeLeftoverTemporaries() clears it away. There is no fsync: a power
-/// failure may lose the last files, a killed program never leaves a half one.
+/// recognisable (isTemporaryName) and removeLeftoverTemporaries() clears it away. A power failure
+/// may lose the last files, but never leaves a half one.
 class AtomicFile {
  public:
   /// Creates the temporary at once, so that a folder that cannot be written is known before any work is done.

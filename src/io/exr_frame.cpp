@@ -195,6 +195,16 @@ void writeFrame(const fs::path& file, const FrameFile& frame) {
   writeExr(file, headerOf(frame.metadata), channels);
 }
 
+RadianceMap asStored(const RadianceMap& radiance) {
+  RadianceMap stored(radiance.size());
+  const auto from = radiance.pixels();
+  const auto to = stored.pixels();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (int c = 0; c < 3; ++c) to[i][c] = toHalf(from[i][c]);
+  }
+  return stored;
+}
+
 FrameFile readFrame(const fs::path& file) {
   return reading(file, [&] {
     Imf::InputFile in(file.c_str(), 0);

@@ -37,6 +37,9 @@ struct FrameFile {
 /// Throws InputError or CannotContinue (file_error.h). May be called from several threads at once.
 void writeFrame(const std::filesystem::path& file, const FrameFile& frame);
 
+/// The radiance as a frame's file holds it: rounded to half.
+[[nodiscard]] RadianceMap asStored(const RadianceMap& radiance);
+
 /// Reads what writeFrame() wrote; the camera comes back exactly. Throws InputError if the file is missing,
 /// damaged, no OpenEXR file, or not a frame of Promenade (an attribute or R, G, B missing). Unknown channels
 /// are ignored.

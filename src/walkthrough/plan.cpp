@@ -18,16 +18,19 @@ void divide(const Segment& segment, const Judge& judge, const Accepted& accepted
 
 }  // namespace
 
-Plan subdivide(FrameRange range, int spacing, const Judge& judge, const Accepted& accepted) {
+Plan firstSegments(FrameRange range, int spacing) {
   assert(range.last >= range.first && spacing >= 1);
-  Plan plan;
-  if (range.count() == 1) {
-    divide({range.first, range.last, 0}, judge, accepted, plan);
-    return plan;
-  }
+  if (range.count() == 1) return {{range.first, range.last, 0}};
+  Plan segments;
   for (int first = range.first; first < range.last; first += spacing) {
-    divide({first, std::min(first + spacing, range.last), 0}, judge, accepted, plan);
+    segments.push_back({first, std::min(first + spacing, range.last), 0});
   }
+  return segments;
+}
+
+Plan subdivide(const Segment& first, const Judge& judge, const Accepted& accepted) {
+  Plan plan;
+  divide(first, judge, accepted, plan);
   return plan;
 }
 

@@ -35,9 +35,11 @@ using Judge = std::function<Decision(const Segment&)>;
 /// is judged.
 using Accepted = std::function<void(const Segment&)>;
 
-/// Divides `range` into first segments of `spacing` frames (the last may be shorter), then splits each in the
-/// middle for as long as the judge says so, down to neighbouring frames. Preconditions (asserted): range is
-/// not empty, spacing >= 1.
-Plan subdivide(FrameRange range, int spacing, const Judge& judge, const Accepted& accepted);
+/// `range` in first segments of `spacing` frames (the last may be shorter). They need nothing from each other
+/// but the keyframes they share. Preconditions (asserted): range is not empty, spacing >= 1.
+[[nodiscard]] Plan firstSegments(FrameRange range, int spacing);
+
+/// Splits a first segment in the middle for as long as the judge says so, down to neighbouring frames.
+Plan subdivide(const Segment& first, const Judge& judge, const Accepted& accepted);
 
 }  // namespace promenade::walkthrough

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "src/walkthrough/statistics_json.h"
+
 namespace promenade::walkthrough {
 namespace {
 
@@ -76,14 +78,15 @@ Json stoppingJson(const Statistics& statistics) {
 Json totalsJson(const Report& report) {
   const Statistics& s = report.statistics;
   const OutsideSeconds& o = report.seconds;
+  const RayCounts rays = s.rays();
   return {{"frames", s.frames.size()},
           {"keyframes", s.keyframes()},
           {"samples", s.samples()},
           {"samples_traced", s.samplesTraced()},
           {"samples_probed", s.probes()},
           {"traced_fraction", s.tracedFraction()},
-          {"rays", s.rays.primary + s.rays.scattered + s.rays.shadow},
-          {"visibility_rays", s.rays.visibility},
+          {"rays", rays.primary + rays.scattered + rays.shadow},
+          {"visibility_rays", rays.visibility},
           {"speedup_estimated", estimatedSpeedup(report)},
           {"stopping", stoppingJson(s)},
           {"seconds_wall", report.wallSeconds},
@@ -120,37 +123,7 @@ double estimatedSpeedup(const Report& report) {
 }
 
 std::string reportJson(const Report& report) {
-  Json segments = Json::array();
-  for (const SegmentStatistics& s : report.statistics.segments) {
-    segments.push_back({{"first", s.segment.first},
-                        {"last", s.segment.last},
-                        {"middle", s.segment.middle()},
-                        {"difference_percent", s.differencePercent},
-                        {"masked_percent", s.maskedPercent},
-                        {"unverified_percent", s.unverifiedPercent},
-                        {"probes", s.probes},
-                        {"probe_difference_percent", s.probeDifferencePercent},
-                        {"decision", s.decision == Decision::kSplit ? "split" : "accept"},
-                        {"depth", s.segment.depth}});
-  }
-  Json frames = Json::array();
-  for (const FrameStatistics& f : report.statistics.frames) {
-    frames.push_back({{"index", f.index},
-                      {"kind", f.kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
-                      {"samples_traced", f.samplesTraced},
-                      {"holes", f.holes},
-                      {"items_traced", f.itemSamples},
-                      {"items", f.itemsTraced},
-                      {"warped", f.warped},
-                      {"reused", f.reused},
-                      {"layered", f.layered},
-                      {"seconds", f.seconds}});
-    if (!f.stopping) continue;
-    frames.back().update({{"paths", f.stopping->paths},
-                          {"paths_most", f.stopping->mostPaths},
-                          {"predicted_percent", f.stopping->predictedPercent},
-                          {"tiles_open", f.stopping->openTiles}});
-  }
+  Json parts = toJson(report.statistics);
   Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
   if (report.light) {
     const LightReport& light = *report.light;
@@ -158,9 +131,8 @@ std::string reportJson(const Report& report) {
         {"file", light.file},       {"records", light.records}, {"records_added", light.recordsAdded},
         {"cameras", light.cameras}, {"rays", light.rays},       {"seconds", report.seconds.indirect}};
   }
-  if (report.resumedFrom > report.settings.frames.first) root["resumed_from"] = report.resumedFrom;
-  root["segments"] = std::move(segments);
-  root["frames"] = std::move(frames);
+  root["segments"] = std::move(parts["segments"]);
+  root["frames"] = std::move(parts["frames"]);
   // Names of files may hold anything; what is not UTF-8 is replaced.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -51,8 +51,6 @@ struct Report {
   std::optional<LightReport> light;  ///< nothing: paths alone
   double wallSeconds = 0.0;
   double peakResidentBytes = 0.0;
-  /// Frames before this one were there from an earlier run of the job and are not in the statistics.
-  int resumedFrom = 0;
 };
 
 /// How many times longer every frame ray traced would have taken: what the keyframes took a sample, times all

@@ -4,6 +4,24 @@
 
 namespace promenade::walkthrough {
 
+void Statistics::append(const Statistics& more) {
+  frames.insert(frames.end(), more.frames.begin(), more.frames.end());
+  segments.insert(segments.end(), more.segments.begin(), more.segments.end());
+  seconds.trace += more.seconds.trace;
+  seconds.visibility += more.seconds.visibility;
+  seconds.warp += more.seconds.warp;
+  seconds.metric += more.seconds.metric;
+  seconds.filter += more.seconds.filter;
+  seconds.output += more.seconds.output;
+}
+
+RayCounts Statistics::rays() const {
+  RayCounts sum;
+  for (const FrameStatistics& frame : frames) sum += frame.rays;
+  for (const SegmentStatistics& segment : segments) sum += segment.rays;
+  return sum;
+}
+
 std::uint64_t Statistics::samples() const {
   std::uint64_t sum = 0;
   for (const FrameStatistics& frame : frames) sum += frame.samples;

@@ -35,6 +35,7 @@ struct FrameStatistics {
   std::uint64_t layered = 0;
   std::uint64_t reused = 0;                    ///< of the warped, samples that no keyframe could fill
   std::optional<StoppingStatistics> stopping;  ///< nothing: the number of paths was given
+  RayCounts rays;                              ///< for this frame alone
   double seconds = 0.0;
 };
 
@@ -50,6 +51,7 @@ struct SegmentStatistics {
   std::uint64_t probes = 0;
   /// Per cent of the remaining pixels where a viewer sees what the probes found; 0 without probes.
   double probeDifferencePercent = 0.0;
+  RayCounts rays;  ///< for the judgement, probes included; keyframes are not in it
 };
 
 /// Wall seconds by part; the parts do not overlap.
@@ -66,8 +68,11 @@ struct Statistics {
   std::vector<FrameStatistics> frames;      ///< in the order of time
   std::vector<SegmentStatistics> segments;  ///< in the order of judgement
   PartSeconds seconds;
-  RayCounts rays;
 
+  /// Adds what a later part of the walk did.
+  void append(const Statistics& more);
+
+  [[nodiscard]] RayCounts rays() const;
   [[nodiscard]] std::uint64_t samples() const;
   /// Fully shaded samples, those of keyframes and probes included.
   [[nodiscard]] std::uint64_t samplesTraced() const;
@@ -89,6 +94,21 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   double& seconds_;
   Clock::time_point start_ = Clock::now();
+};
+
+/// Adds the rays that are traced in its scope to a count.
+class RayMeter {
+ public:
+  RayMeter(const Renderer& renderer, RayCounts& rays)
+      : renderer_(renderer), rays_(rays), before_(renderer.rayCounts()) {}
+  RayMeter(const RayMeter&) = delete;
+  RayMeter& operator=(const RayMeter&) = delete;
+  ~RayMeter() { rays_ += renderer_.rayCounts() - before_; }
+
+ private:
+  const Renderer& renderer_;
+  RayCounts& rays_;
+  RayCounts before_;
 };
 
 }  // namespace promenade::walkthrough

@@ -1,7 +1,6 @@
 #include "src/walkthrough/walkthrough.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -49,41 +48,54 @@ class Walk {
         settings_(settings),
         outputs_(outputs),
         stopping_(settings.stopping ? std::make_unique<StoppingRenderer>(renderer, settings) : nullptr),
-        renderer_(stopping_ ? *stopping_ : renderer),
-        raysBefore_(renderer.rayCounts()) {}
+        renderer_(stopping_ ? *stopping_ : renderer) {}
 
-  Statistics run() {
-    if (settings_.method == Method::kFull) {
-      for (int frame = settings_.frames.first; frame <= settings_.frames.last; ++frame) {
-        keyframe(frame);
-        finishKeyframe(frame);
-        keyframes_.clear();
-      }
-    } else {
-      subdivide(
-          settings_.frames, settings_.keyframeSpacing,
-          [this](const Segment& segment) { return judge(segment); },
-          [this](const Segment& segment) { finish(segment); });
+  Statistics run(const Plan& parts) {
+    for (const Segment& part : parts) {
+      total_ += static_cast<std::uint64_t>(framesOf(part, settings_.frames).count());
     }
-    statistics_.rays = renderer_.rayCounts() - raysBefore_;
-    if (stopping_) {
-      statistics_.seconds.trace -= stopping_->secondsInMetric();
-      statistics_.seconds.metric += stopping_->secondsInMetric();
+    // The clock of rate and time left starts here.
+    if (outputs_.progress) outputs_.progress({"frames", 0, total_});
+    Statistics all;
+    for (const Segment& part : parts) {
+      statistics_ = {};
+      const double stoppingBefore = secondsStopping();
+      run(part);
+      statistics_.seconds.trace -= secondsStopping() - stoppingBefore;
+      statistics_.seconds.metric += secondsStopping() - stoppingBefore;
+      if (outputs_.part) outputs_.part(part, statistics_);
+      all.append(statistics_);
     }
-    return std::move(statistics_);
+    return all;
   }
 
  private:
   struct Keyframe {
     Frame frame;
     FrameStatistics statistics;
-    bool finished = false;
   };
   struct JudgedInbetween {
     int index = -1;
     WarpedPair warped;
     ItemVerdict verdict;
   };
+
+  void run(const Segment& part) {
+    // Between parts that do not follow each other nothing is shared.
+    keyframes_.erase(keyframes_.begin(), keyframes_.lower_bound(part.first));
+    if (settings_.method == Method::kFull) {
+      finishKeyframe(part.first);
+      keyframes_.clear();
+      return;
+    }
+    subdivide(
+        part, [this](const Segment& segment) { return judge(segment); },
+        [this](const Segment& segment) { finish(segment); });
+    if (part.last == settings_.frames.last && part.last != part.first) finishKeyframe(part.last);
+  }
+
+  /// Of the metric, inside of render() and retrace().
+  [[nodiscard]] double secondsStopping() const { return stopping_ ? stopping_->secondsInMetric() : 0.0; }
 
   [[nodiscard]] Camera displayCamera(int frame) const { return path_.camera(frame, settings_.size); }
   [[nodiscard]] Camera sampleCamera(int frame) const {
@@ -97,6 +109,7 @@ class Walk {
     Keyframe made;
     {
       const Stopwatch watch(statistics_.seconds.trace);
+      const RayMeter meter(renderer_, made.statistics.rays);
       made.frame = renderer_.render(sampleCamera(index), index);
     }
     made.statistics.index = index;
@@ -105,7 +118,14 @@ class Walk {
     made.statistics.samplesTraced = made.statistics.samples;
     made.statistics.seconds = statistics_.seconds.trace - before;
     if (stopping_) made.statistics.stopping = stopping_->spent();
+    if (outputs_.keyframe) outputs_.keyframe(made.statistics.seconds);
     return keyframes_.emplace(index, std::move(made)).first->second.frame;
+  }
+
+  // Apart from what is done with them, so that each frame's rays and seconds are its own.
+  void traceKeyframes(const Segment& segment) {
+    keyframe(segment.first);
+    keyframe(segment.last);
   }
 
   WarpedPair warpTo(int index, const Segment& segment) {
@@ -133,25 +153,17 @@ class Walk {
   }
 
   Decision judge(const Segment& segment) {
+    traceKeyframes(segment);
     JudgedInbetween middle;
     middle.index = segment.middle();
-    middle.warped = warpTo(middle.index, segment);
-    VelocityMap velocity;
     Judgement judgement;
+    RayCounts rays;
     {
-      const Stopwatch watch(statistics_.seconds.metric);
-      velocity = velocityAt(middle.index, middle.warped.target);
-      judgement = judgeMiddle(segment, middle.warped, velocity, renderer_, settings_);
+      const RayMeter meter(renderer_, rays);
+      middle.warped = warpTo(middle.index, segment);
+      judgement = judgementOf(segment, middle.warped);
     }
-    if (judgement.statistics.decision == Decision::kAccept && settings_.probeShare > 0.0) {
-      Verification verification = verifyMiddle(
-          {middle.index, placeOf(middle.index, segment), middle.warped, velocity, judgement.items}, renderer_,
-          settings_, statistics_.seconds);
-      judgement.items = std::move(verification.items);
-      judgement.statistics.probes = verification.probes;
-      judgement.statistics.probeDifferencePercent = verification.differencePercent;
-      judgement.statistics.decision = judgement.middle.decision = verification.decision;
-    }
+    judgement.statistics.rays = rays;
     statistics_.segments.push_back(judgement.statistics);
     const Decision decision = judgement.statistics.decision;
     if (outputs_.middle) outputs_.middle(std::move(judgement.middle));
@@ -162,17 +174,37 @@ class Walk {
     return decision;
   }
 
+  Judgement judgementOf(const Segment& segment, const WarpedPair& warped) {
+    const int index = segment.middle();
+    VelocityMap velocity;
+    Judgement judgement;
+    {
+      const Stopwatch watch(statistics_.seconds.metric);
+      velocity = velocityAt(index, warped.target);
+      judgement = judgeMiddle(segment, warped, velocity, renderer_, settings_);
+    }
+    if (judgement.statistics.decision == Decision::kAccept && settings_.probeShare > 0.0) {
+      Verification verification =
+          verifyMiddle({index, placeOf(index, segment), warped, velocity, judgement.items}, renderer_,
+                       settings_, statistics_.seconds);
+      judgement.items = std::move(verification.items);
+      judgement.statistics.probes = verification.probes;
+      judgement.statistics.probeDifferencePercent = verification.differencePercent;
+      judgement.statistics.decision = judgement.middle.decision = verification.decision;
+    }
+    return judgement;
+  }
+
   /// In (0, 1) between the keyframes of its segment.
   [[nodiscard]] static double placeOf(int index, const Segment& segment) {
     return static_cast<double>(index - segment.first) / static_cast<double>(segment.last - segment.first);
   }
 
+  // The last keyframe is finished by what begins with it.
   void finish(const Segment& segment) {
-    keyframe(segment.first);
     finishKeyframe(segment.first);
+    if (segment.hasInbetweens()) traceKeyframes(segment);
     finishBetween(segment, segment.first, segment.last, {});
-    keyframe(segment.last);
-    finishKeyframe(segment.last);
     // Nothing before the segment's end is a source of anything that is still to come.
     keyframes_.erase(keyframes_.begin(), keyframes_.lower_bound(segment.last));
     middle_ = {};
@@ -194,27 +226,37 @@ class Walk {
 
   Inbetween makeInbetween(int index, const Segment& segment, const std::vector<const Inbetween*>& others) {
     const auto start = std::chrono::steady_clock::now();
-    InbetweenSources sources;
-    sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
+    RayCounts rays;
+    Inbetween made;
     {
-      const Stopwatch watch(statistics_.seconds.warp);
-      const Visibility& target = sources.keyframes.target;
-      const Mask shared = sharedAmongInbetweens(target.item, renderer_);
-      for (const Inbetween* other : others) {
-        sources.others.push_back(
-            {other->statistics.index, ibr::gatherWarp(other->frame, target, shared, settings_.warp)});
-      }
+      const RayMeter meter(renderer_, rays);
+      InbetweenSources sources;
+      sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
+      sources.others = warpOthersTo(sources.keyframes.target, others);
+      made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, settings_.supersample,
+                        statistics_.seconds);
     }
-    Inbetween made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_,
-                                settings_.supersample, statistics_.seconds);
+    made.statistics.rays = rays;
     if (stopping_) made.statistics.stopping = stopping_->spent();
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return made;
   }
 
+  std::vector<WarpedInbetween> warpOthersTo(const Visibility& target,
+                                            const std::vector<const Inbetween*>& others) {
+    const Stopwatch watch(statistics_.seconds.warp);
+    const Mask shared = sharedAmongInbetweens(target.item, renderer_);
+    std::vector<WarpedInbetween> warped;
+    for (const Inbetween* other : others) {
+      warped.push_back(
+          {other->statistics.index, ibr::gatherWarp(other->frame, target, shared, settings_.warp)});
+    }
+    return warped;
+  }
+
   void finishKeyframe(int index) {
-    Keyframe& key = keyframes_.at(index);
-    if (std::exchange(key.finished, true)) return;
+    keyframe(index);
+    const Keyframe& key = keyframes_.at(index);
     output(index, key.frame, key.statistics);
   }
 
@@ -237,10 +279,8 @@ class Walk {
       const Stopwatch watch(statistics_.seconds.output);
       if (outputs_.frame) outputs_.frame(std::move(finished));
     }
-    if (outputs_.progress) {
-      outputs_.progress(
-          {"frames", statistics_.frames.size(), static_cast<std::uint64_t>(settings_.frames.count())});
-    }
+    ++delivered_;
+    if (outputs_.progress) outputs_.progress({"frames", delivered_, total_});
   }
 
   const paths::CameraPath& path_;
@@ -248,32 +288,25 @@ class Walk {
   const Outputs& outputs_;
   const std::unique_ptr<StoppingRenderer> stopping_;  ///< null: the renderer's own number of paths
   const Renderer& renderer_;
-  const RayCounts raysBefore_;  ///< choosing the exposure
   std::map<int, Keyframe> keyframes_;
   JudgedInbetween middle_;  ///< of the segment that was accepted last
-  Statistics statistics_;
+  Statistics statistics_;   ///< of the part at hand
+  std::uint64_t delivered_ = 0;
+  std::uint64_t total_ = 0;
 };
 
 }  // namespace
 
+Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+                       const Plan& parts, const Outputs& outputs) {
+  validate(path, settings);
+  return Walk(path, renderer, settings, outputs).run(parts);
+}
+
 Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
                              const Settings& settings, const Outputs& outputs) {
   validate(path, settings);
-  return Walk(path, renderer, settings, outputs).run();
-}
-
-double memoryNeededBytes(const Settings& settings) {
-  // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
-  // of splits and the inbetweens around the current frame, as many together as the spacing can be halved; as
-  // many warps; the middle's and an inbetween's visibility and two warps each, the blended frame. A display
-  // pixel takes at most 1 kB in the metric and the maps around it.
-  const double samples =
-      static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
-  const double halvings = std::ceil(std::log2(settings.keyframeSpacing));
-  const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + 2.0 * halvings;
-  const double others = settings.method == Method::kFull ? 1.0 : 8.0;
-  const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
-  return samples * 45.0 * (frames + others) + static_cast<double>(settings.size.area()) * metric;
+  return renderParts(path, renderer, settings, partsOf(settings), outputs);
 }
 
 }  // namespace promenade::walkthrough

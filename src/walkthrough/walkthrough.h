@@ -74,12 +74,28 @@ struct JudgedMiddle {
 struct Outputs {
   std::function<void(FinishedFrame&&)> frame;  ///< frames come in the order of time, each exactly once
   std::function<void(JudgedMiddle&&)> middle;  ///< may be empty
-  ProgressCallback progress;                   ///< may be empty; may throw Interrupted
+  /// Told of every part when all of its frames were handed over. May be empty.
+  std::function<void(const Segment& part, const Statistics&)> part;
+  /// Told of every keyframe that was traced, ahead of its delivery. May be empty.
+  std::function<void(double seconds)> keyframe;
+  ProgressCallback progress;  ///< may be empty; may throw Interrupted
 };
 
-/// Renders settings.frames of `path`. Memory does not grow with the number of frames. Throws InputError if
-/// the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside [0, 100],
-/// probes outside [0, 1]).
+/// The parts of a walk that can be rendered apart from each other, on any machine, in any order, with the
+/// same result: first segments, single frames with Method::kFull.
+[[nodiscard]] Plan partsOf(const Settings& settings);
+
+/// The frames that a part delivers and counts: all but its last keyframe, which belongs to the part that
+/// begins with it.
+[[nodiscard]] FrameRange framesOf(const Segment& part, FrameRange walk);
+
+/// Renders these of partsOf(settings), in the order of time. Memory does not grow with their number. Throws
+/// InputError if the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside
+/// [0, 100], probes outside [0, 1]).
+Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+                       const Plan& parts, const Outputs& outputs);
+
+/// Renders settings.frames of `path`: all parts.
 [[nodiscard]] Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
                                            const Settings& settings, const Outputs& outputs);
 

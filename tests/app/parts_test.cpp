@@ -226,22 +226,16 @@ class OutputFolderTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(OutputFolderTest, CountsTheFramesOfTheJobUpToTheFirstGap) {
-  const OutputFolder folder(folder_, "job", Existing::kResume);
-  EXPECT_EQ(folder.finishedFrom(0, 9), 0);
-  for (const int index : {2, 3, 5}) writeFrame(index, "job");
-  EXPECT_EQ(folder.finishedFrom(2, 9), 2);
-  EXPECT_EQ(folder.finishedFrom(5, 5), 1);
-}
-
 TEST_F(OutputFolderTest, RefusesFramesOfAnotherJobUnlessTheyAreToBeReplaced) {
   { const OutputFolder folder(folder_, "job", Existing::kResume); }
   writeFrame(0, "another");
   expectRefused([&] { const OutputFolder folder(folder_, "job", Existing::kResume); },
                 "holds frames of another job (000000.exr)");
   std::ofstream(folder_ / "frames" / "notes.txt") << "mine";
+  std::ofstream(folder_ / "parts" / "000000.json") << "a record";
   const OutputFolder folder(folder_, "job", Existing::kOverwrite);
-  EXPECT_EQ(folder.finishedFrom(0, 9), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.frame(0)));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "parts" / "000000.json"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "frames" / "notes.txt"));
 }
 

@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <fstream>
-#include <iterator>
 
 #include "tests/e2e/tiny_scene.h"
 
@@ -16,11 +14,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 // What the program prints on a terminal.
 std::string onTerminal(std::vector<std::string> arguments, const char* name, const char* value) {

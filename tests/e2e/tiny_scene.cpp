@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "src/io/exr_frame.h"
 
@@ -35,7 +38,45 @@ struct Buffer {
 constexpr int kFloat = 5126;
 constexpr int kUint = 5125;
 
+Json withoutSeconds(const fs::path& report) {
+  Json root = Json::parse(contents(report));
+  for (const char* key : {"command", "directory"}) root["job"].erase(key);
+  for (const char* key : {"seconds", "seconds_wall", "speedup_estimated", "peak_rss_bytes"}) {
+    root["totals"].erase(key);
+  }
+  for (Json& frame : root["frames"]) frame.erase("seconds");
+  if (root.contains("light_solution")) {
+    root["light_solution"].erase("seconds");
+    root["light_solution"].erase("file");
+  }
+  return root;
+}
+
 }  // namespace
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void waitForFrames(const fs::path& folder) {
+  for (int i = 0; i < 4000 && framesIn(folder) < 3; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_GE(framesIn(folder), 3);
+}
+
+void expectSameResult(const fs::path& folder, const fs::path& reference) {
+  EXPECT_EQ(framesIn(folder), framesIn(reference));
+  for (const auto& entry : fs::directory_iterator(reference / "frames")) {
+    const auto name = entry.path().filename();
+    EXPECT_TRUE(contents(entry.path()) == contents(folder / "frames" / name)) << folder << ": " << name;
+  }
+  EXPECT_TRUE(fs::exists(folder / "report.html")) << folder;
+  EXPECT_TRUE(contents(folder / "walkthrough.mp4") == contents(reference / "walkthrough.mp4")) << folder;
+  EXPECT_EQ(withoutSeconds(folder / "report.json").dump(1),
+            withoutSeconds(reference / "report.json").dump(1));
+  expectOnlyWholeFiles(folder);
+}
 
 void writeText(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;

@@ -18,6 +18,7 @@ enum class With { kAll, kNoCamera, kNoAnimation, kNoLight, kNoMesh };
 std::filesystem::path writeScene(const std::filesystem::path& folder, const std::string& name, With with,
                                  float seconds = 1.0f);
 
+std::string contents(const std::filesystem::path& file);
 void writeText(const std::filesystem::path& file, const std::string& text);
 
 /// A folder that is empty at the start of each test and gone after it.
@@ -37,6 +38,13 @@ void expectDone(const Outcome& outcome);
 
 /// Every file below `folder` is whole: no temporaries, and every rendered frame can be read.
 void expectOnlyWholeFiles(const std::filesystem::path& folder);
+
+/// Returns once a running job has written a few frames.
+void waitForFrames(const std::filesystem::path& folder);
+
+/// Frames, video and report of two rendered folders are the same bit for bit, but for what depends on the
+/// clock, the machine and the command line: seconds, memory, the folder.
+void expectSameResult(const std::filesystem::path& folder, const std::filesystem::path& reference);
 
 /// Number of frames/*.exr in a rendered folder.
 int framesIn(const std::filesystem::path& folder);

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/walkthrough/statistics_json.h"
+
 namespace promenade::walkthrough {
 namespace {
 
@@ -33,6 +35,7 @@ Report threeFrames() {
     f.index = index;
     f.samples = 200;
     f.samplesTraced = 200;
+    f.rays = {.visibility = 0, .primary = 200, .scattered = 450, .shadow = 225};
     f.seconds = seconds;
     return f;
   };
@@ -47,6 +50,7 @@ Report threeFrames() {
   inbetween.warped = 180;
   inbetween.reused = 7;
   inbetween.layered = 30;
+  inbetween.rays = {.visibility = 200, .primary = 20, .scattered = 100, .shadow = 50};
   inbetween.seconds = 0.5;
   r.statistics.frames = {keyframe(4, 2.0), inbetween, keyframe(6, 2.5)};
   r.statistics.segments = {{.segment = {4, 6, 1},
@@ -55,14 +59,13 @@ Report threeFrames() {
                             .maskedPercent = 10.0,
                             .unverifiedPercent = 0.5,
                             .probes = 6,
-                            .probeDifferencePercent = 0.25}};
+                            .probeDifferencePercent = 0.25,
+                            .rays = {.visibility = 40}}};
   r.statistics.seconds = {
       .trace = 4.0, .visibility = 0.1, .warp = 0.2, .metric = 0.3, .filter = 0.4, .output = 0.5};
-  r.statistics.rays = {.visibility = 200, .primary = 420, .scattered = 1000, .shadow = 500};
   r.seconds = {.load = 1.0, .indirect = 0.0, .prepare = 0.6, .encode = 0.2, .write = 0.3};
   r.wallSeconds = 8.0;
   r.peakResidentBytes = 1e6;
-  r.resumedFrom = 4;
   return r;
 }
 
@@ -92,8 +95,8 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["samples_traced"], 426);  // 420 of the frames, 6 probes
   EXPECT_EQ(totals["samples_probed"], 6);
   EXPECT_DOUBLE_EQ(totals["traced_fraction"].get<double>(), 0.71);  // 426 / 600
-  EXPECT_EQ(totals["rays"], 1920);                                  // without the visibility rays
-  EXPECT_EQ(totals["visibility_rays"], 200);
+  EXPECT_EQ(totals["rays"], 2 * 875 + 170);                         // without the visibility rays
+  EXPECT_EQ(totals["visibility_rays"], 200 + 40);
   EXPECT_EQ(totals["seconds_wall"], 8.0);
   // Two keyframes took 4.5 s for 400 samples, so 600 samples 6.75 s; loading, preparing, filtering, encoding
   // and writing 1 + 0.6 + 0.4 + 0.2 + 0.3 = 2.5 s either way: 9.25 s over 8 s.
@@ -106,12 +109,13 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["seconds"]["trace"], 4.0);
   EXPECT_EQ(totals["seconds"]["write"], 0.3);
   EXPECT_EQ(root["segments"], json::parse(R"([{"first": 4, "last": 6, "middle": 5, "difference_percent": 1.25,
-      "masked_percent": 10.0, "unverified_percent": 0.5, "probes": 6, "probe_difference_percent": 0.25, "decision": "accept", "depth": 1}])"));
+      "masked_percent": 10.0, "unverified_percent": 0.5, "probes": 6, "probe_difference_percent": 0.25,
+      "decision": "accept", "depth": 1, "rays": {"visibility": 40, "primary": 0, "scattered": 0, "shadow": 0}}])"));
   EXPECT_EQ(root["frames"][1],
-            json::parse(R"({"index": 5, "kind": "inbetween", "samples_traced": 20, "holes": 5,
-      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "seconds": 0.5})"));
+            json::parse(R"({"index": 5, "kind": "inbetween", "samples": 200, "samples_traced": 20, "holes": 5,
+      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "seconds": 0.5,
+      "rays": {"visibility": 200, "primary": 20, "scattered": 100, "shadow": 50}})"));
   EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
-  EXPECT_FALSE(root.contains("resumed_from"));
 }
 
 TEST(ReportJson, TellsWhatPerceptualStoppingSpentAndPredicts) {
@@ -144,10 +148,26 @@ TEST(ReportJson, TellsWhatTheLightSolutionCost) {
       "records_added": 40, "cameras": 6, "rays": 5000, "seconds": 2.5})"));
 }
 
-TEST(ReportJson, SaysWhereAResumedRunBegan) {
-  Report r = threeFrames();
-  r.resumedFrom = 6;
-  EXPECT_EQ(json::parse(reportJson(r))["resumed_from"], 6);
+TEST(StatisticsJson, ComesBackExactly) {
+  Statistics s = threeFrames().statistics;
+  s.frames[1].seconds = 0.1 + 0.2;  // no short decimal
+  s.segments[0].differencePercent = 1.0 / 3.0;
+  s.frames[2].stopping =
+      StoppingStatistics{.paths = 400, .mostPaths = 1024, .predictedPercent = 2.0 / 3.0, .openTiles = 2};
+  const std::string text = toJson(s).dump();
+  const auto read = statisticsFrom(json::parse(text));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(toJson(*read).dump(), text);
+  EXPECT_EQ(read->rays(), s.rays());
+  EXPECT_EQ(read->frames[1].itemsTraced, s.frames[1].itemsTraced);
+  EXPECT_EQ(read->seconds.metric, s.seconds.metric);
+}
+
+TEST(StatisticsJson, OfAnotherProgramIsNothing) {
+  EXPECT_FALSE(statisticsFrom(json::parse("[]")));
+  EXPECT_FALSE(statisticsFrom(json::parse(R"({"frames": [], "segments": []})")));
+  EXPECT_FALSE(
+      statisticsFrom(json::parse(R"({"frames": [{"index": "one"}], "segments": [], "seconds": {}})")));
 }
 
 TEST(ReportJson, SurvivesNamesThatAreNotUtf8) {

@@ -282,6 +282,77 @@ TEST(Walkthrough, RendersAPartOfThePath) {
   EXPECT_THAT(walk(path, renderer, settings).order, testing::ElementsAre(7, 8, 9, 10, 11, 12));
 }
 
+TEST(Walkthrough, InPartsOfAnyOrderIsTheSameAsInOne) {
+  const auto path = strafe(30, 0.1);
+  for (const Method method : {Method::kImageBased, Method::kFull}) {
+    Settings settings = settingsFor(path);
+    settings.frames = {3, 28};
+    settings.keyframeSpacing = 8;
+    settings.method = method;
+    settings.stopping = StoppingRule{};
+    const AnalyticRenderer renderer(Panel::kMirrorLike);
+    const WalkResult whole = walk(path, renderer, settings);
+    Plan parts = partsOf(settings);
+    // 3-11-19-27-28, or frames 3 to 28.
+    ASSERT_EQ(parts.size(), method == Method::kImageBased ? 4u : 26u);
+    std::map<int, Statistics> statistics;
+    std::map<int, FinishedFrame> frames;
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+      const AnalyticRenderer another(Panel::kMirrorLike);  // on another machine
+      Outputs outputs;
+      outputs.frame = [&](FinishedFrame&& frame) {
+        const int index = frame.index;
+        EXPECT_TRUE(frames.emplace(index, std::move(frame)).second) << index << " twice";
+      };
+      outputs.part = [&](const Segment& told, const Statistics& s) {
+        EXPECT_EQ(told, *part);
+        statistics.emplace(told.first, s);
+      };
+      (void)renderParts(path, another, settings, {*part}, outputs);
+    }
+    Statistics together;
+    for (const auto& [first, s] : statistics) together.append(s);
+    ASSERT_EQ(together.frames.size(), whole.statistics.frames.size());
+    ASSERT_EQ(together.segments.size(), whole.statistics.segments.size());
+    EXPECT_EQ(together.rays(), whole.statistics.rays());
+    for (std::size_t i = 0; i < together.frames.size(); ++i) {
+      EXPECT_EQ(together.frames[i].index, whole.statistics.frames[i].index);
+      EXPECT_EQ(together.frames[i].samplesTraced, whole.statistics.frames[i].samplesTraced);
+      EXPECT_EQ(together.frames[i].rays, whole.statistics.frames[i].rays);
+      EXPECT_EQ(together.frames[i].reused, whole.statistics.frames[i].reused);
+      ASSERT_TRUE(together.frames[i].stopping);
+      EXPECT_EQ(together.frames[i].stopping->paths, whole.statistics.frames[i].stopping->paths);
+    }
+    for (const auto& [index, frame] : whole.frames) {
+      EXPECT_EQ(largestDifference(frame.radiance, frames.at(index).radiance), 0.0) << index;
+    }
+  }
+}
+
+TEST(Walkthrough, TellsOfEveryKeyframeThatIsTraced) {
+  const auto path = strafe(25, 0.1);
+  for (const bool stops : {false, true}) {
+    Settings settings = settingsFor(path);
+    if (stops) settings.stopping = StoppingRule{};
+    const AnalyticRenderer renderer(Panel::kMirrorLike);
+    int told = 0;
+    Outputs outputs;
+    outputs.keyframe = [&](double seconds) {
+      EXPECT_GT(seconds, 0.0);
+      ++told;
+    };
+    const Statistics statistics = renderWalkthrough(path, renderer, settings, outputs);
+    EXPECT_EQ(told, statistics.keyframes());
+  }
+}
+
+TEST(Walkthrough, CountsTheRaysOfEveryFrameAndJudgementOnce) {
+  const auto path = strafe(25, 0.1);
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  const RayCounts counted = walk(path, renderer, settingsFor(path)).statistics.rays();
+  EXPECT_EQ(counted, renderer.rayCounts());
+}
+
 TEST(Walkthrough, RefusesFramesOutsideThePath) {
   const auto path = still(5);
   Settings settings = settingsFor(path);

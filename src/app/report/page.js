@@ -83,10 +83,6 @@
     fact(list, `… of the worst frame (${data.comparison.worst_frame})`, percent(data.comparison.percent_visible_worst),
       'percent_visible_worst', data.comparison.percent_visible_worst);
   }
-  if (report.resumed_from !== undefined) {
-    fact(list, 'Resumed', `Totals begin at frame ${report.resumed_from}; the frames before it are of an earlier run.`,
-      'resumed_from', report.resumed_from, 'long');
-  }
 
   const parts = Object.entries(totals.seconds);
   fillTable(byId('parts-table'), ['Part', 'Seconds', 'Of the wall time'], parts.map(([name, seconds]) => [

@@ -1,0 +1,163 @@
+#include "src/app/preparation.h"
+
+#include <nlohmann/json.hpp>
+
+#include "src/app/fingerprint.h"
+#include "src/app/interrupt.h"
+#include "src/app/solved_light.h"
+#include "src/core/errors.h"
+#include "src/io/json.h"
+#include "src/render/path_renderer.h"
+#include "src/walkthrough/statistics.h"
+
+namespace promenade::app {
+namespace {
+
+using Solution = std::shared_ptr<const render::LightSolution>;
+using walkthrough::Stopwatch;
+
+constexpr const char* kFileName = "prepared.json";
+constexpr const char* kLightRecord = "light.json";
+
+std::string fingerprintOf(const std::string& bytes) {
+  Fingerprint f;
+  f.add(bytes);
+  return f.text();
+}
+
+std::filesystem::path lightFile(const LoadedJob& job, const OutputFolder& folder) {
+  return job.options.lightSolution.empty() ? folder.file("light-solution.bin")
+                                           : std::filesystem::path(job.options.lightSolution);
+}
+
+std::unique_ptr<Renderer> makeRenderer(const LoadedJob& job, const Solution& solution, int threads) {
+  return render::makePathRenderer(
+      job.scene, {.pathsPerSample = job.values.pathsPerSample.value_or(render::PathSettings{}.pathsPerSample),
+                  .seed = job.values.seed,
+                  .threads = threads,
+                  .solution = solution,
+                  .checkpoint = [] { throwIfInterrupted(); }});
+}
+
+nlohmann::ordered_json toJson(const LightUse& light) {
+  const auto& [file, records, recordsAdded, cameras, rays] = light.report;
+  return {{"fingerprint", light.fingerprint}, {"file", file},       {"records", records},
+          {"records_added", recordsAdded},    {"cameras", cameras}, {"rays", rays}};
+}
+
+// Throws nlohmann::json::exception.
+LightUse lightFrom(const nlohmann::json& value) {
+  return {value.at("fingerprint"),
+          {.file = value.at("file"),
+           .records = value.at("records"),
+           .recordsAdded = value.at("records_added"),
+           .cameras = value.at("cameras"),
+           .rays = value.at("rays")}};
+}
+
+// What `read` makes of a record of this job; nothing if the file is missing, of another job, or not of this
+// program.
+template <class Read>
+auto fromRecord(const std::filesystem::path& file, const std::string& jobHash, const Read& read)
+    -> std::optional<decltype(read(nlohmann::json()))> {
+  if (!std::filesystem::is_regular_file(file)) return std::nullopt;
+  try {
+    const nlohmann::json root = nlohmann::json::parse(io::readTextFile(file));
+    if (root.at("job") != jobHash) return std::nullopt;
+    return read(root);
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+// What making the light cost is written before the light itself: a run that is killed between them leaves a
+// report that fits no file, never a file without its report.
+SolvedLight solve(const LoadedJob& job, const OutputFolder& folder, int threads, Console& console) {
+  LightRequest request{lightFile(job, folder), lightHash(job.options, job.scene), job.values.seed, threads};
+  request.made = [&](const walkthrough::LightReport& report, const std::string& bytes) {
+    nlohmann::ordered_json root = toJson({fingerprintOf(bytes), report});
+    root["job"] = job.hash;
+    io::writeJson(folder.file(kLightRecord), root);
+  };
+  return solveLightOf(job.path, job.settings.size, job.scene, request, console);
+}
+
+// With the report of the run that made it, if that was one of this job.
+LightUse usedLight(const LoadedJob& job, const OutputFolder& folder, const walkthrough::LightReport& report) {
+  const std::string fingerprint =
+      fingerprintOf(io::readTextFile(lightFile(job, folder), kMaximumSolutionBytes));
+  const auto made = fromRecord(folder.file(kLightRecord), job.hash, lightFrom);
+  if (made && made->fingerprint == fingerprint) return *made;
+  return {fingerprint, report};
+}
+
+// The light that the job began with; made again if its file is gone.
+Solution lightAsBefore(const LoadedJob& job, const OutputFolder& folder, const Preparation& choices,
+                       int threads, Console& console) {
+  const std::filesystem::path file = lightFile(job, folder);
+  if (!std::filesystem::exists(file)) (void)solve(job, folder, threads, console);
+  Solution solution;
+  if (choices.light) {
+    const std::string bytes = io::readTextFile(file, kMaximumSolutionBytes);
+    if (fingerprintOf(bytes) == choices.light->fingerprint) {
+      solution = render::lightSolutionFrom(bytes, lightHash(job.options, job.scene));
+    }
+  }
+  if (!solution) {
+    throw InputError(file.string(),
+                     "is not the light that this job began with: its frames would not fit together; "
+                     "--overwrite begins again");
+  }
+  return solution;
+}
+
+}  // namespace
+
+std::optional<Preparation> preparationIn(const OutputFolder& folder, const std::string& jobHash) {
+  return fromRecord(folder.file(kFileName), jobHash, [](const nlohmann::json& root) {
+    Preparation choices{.light = {},
+                        .exposureEv = root.at("exposure_ev"),
+                        .secondsIndirect = root.at("seconds_indirect"),
+                        .secondsChoosing = root.at("seconds_choosing")};
+    if (root.contains("light")) choices.light = lightFrom(root["light"]);
+    return choices;
+  });
+}
+
+PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int threads, Console& console) {
+  const bool solves = job.options.integrator == "walkthrough";
+  const std::optional<Preparation> known = preparationIn(folder, job.hash);
+  PreparedJob prepared;
+  Preparation& choices = prepared.choices;
+  if (known) choices = *known;
+  Solution solution;
+  if (solves && known) {
+    solution = lightAsBefore(job, folder, *known, threads, console);
+  } else if (solves) {
+    const Stopwatch watch(choices.secondsIndirect);
+    SolvedLight light = solve(job, folder, threads, console);
+    solution = std::move(light.solution);
+    choices.light = usedLight(job, folder, light.report);
+  }
+  {
+    const Stopwatch watch(prepared.secondsBuilding);
+    prepared.renderer = makeRenderer(job, solution, threads);
+  }
+  if (known) return prepared;
+  {
+    const Stopwatch watch(choices.secondsChoosing);
+    choices.exposureEv = job.values.exposureEv
+                             ? *job.values.exposureEv
+                             : walkthrough::automaticExposure(job.path, job.settings.frames,
+                                                              *prepared.renderer, job.settings.size);
+  }
+  nlohmann::ordered_json root = {{"job", job.hash},
+                                 {"exposure_ev", choices.exposureEv},
+                                 {"seconds_indirect", choices.secondsIndirect},
+                                 {"seconds_choosing", choices.secondsChoosing}};
+  if (choices.light) root["light"] = toJson(*choices.light);
+  io::writeJson(folder.file(kFileName), root);
+  return prepared;
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,21 @@
+#include <cmath>
+
+#include "src/walkthrough/walkthrough.h"
+
+namespace promenade::walkthrough {
+
+double memoryNeededBytes(const Settings& settings) {
+  // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
+  // of splits and the inbetweens around the current frame, as many together as the spacing can be halved; as
+  // many warps; the middle's and an inbetween's visibility and two warps each, the blended frame. A display
+  // pixel takes at most 1 kB in the metric and the maps around it.
+  const double samples =
+      static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
+  const double halvings = std::ceil(std::log2(settings.keyframeSpacing));
+  const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + 2.0 * halvings;
+  const double others = settings.method == Method::kFull ? 1.0 : 8.0;
+  const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
+  return samples * 45.0 * (frames + others) + static_cast<double>(settings.size.area()) * metric;
+}
+
+}  // namespace promenade::walkthrough

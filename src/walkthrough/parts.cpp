@@ -1,0 +1,20 @@
+#include <algorithm>
+
+#include "src/walkthrough/walkthrough.h"
+
+namespace promenade::walkthrough {
+
+Plan partsOf(const Settings& settings) {
+  if (settings.method == Method::kImageBased) return firstSegments(settings.frames, settings.keyframeSpacing);
+  Plan frames;
+  for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
+    frames.push_back({frame, frame, 0});
+  }
+  return frames;
+}
+
+FrameRange framesOf(const Segment& part, FrameRange walk) {
+  return {part.first, part.last == walk.last ? part.last : std::max(part.first, part.last - 1)};
+}
+
+}  // namespace promenade::walkthrough
