@@ -19,7 +19,7 @@ using Arguments = std::vector<std::string>;
 using Seconds = std::chrono::duration<double>;
 
 Arguments render(const std::string& scene, const std::string& out, const Arguments& more) {
-  Arguments all = {"render",        scene, "--out", out, "--size",     "96x54",
+  Arguments all = {"render",        scene, "--out", out, "--size",     "48x27",
                    "--supersample", "1",   "--spp", "2", "--exposure", "0"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
@@ -29,11 +29,11 @@ class Resume : public InFolder {};
 
 TEST_F(Resume, AfterThirtyKillsAtRandomMomentsEndsLikeOneRun) {
   std::mt19937 random(1);
-  const auto scene = writeScene(folder_, "scene", With::kAll, 1.5f);
+  const auto scene = writeScene(folder_, "scene", With::kAll);
   const std::vector<Arguments> jobs = {
       {"--spacing", "4", "--tolerance", "0", "--integrator", "path"},
       {"--spacing", "8", "--exposure", "auto", "--maps", "--integrator", "path"},
-      {"--spacing", "8", "--integrator", "walkthrough", "--frames", "0-12", "--spp", "auto"},
+      {"--spacing", "6", "--integrator", "walkthrough", "--frames", "0-12", "--spp", "auto"},
       {"--method", "full", "--integrator", "path"},
   };
   int kills = 0;
@@ -70,7 +70,7 @@ TEST_F(Resume, AfterAFullDiskGoesOnWhenThereIsRoom) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const SmallDisk disk(at("disk"), "128k");
   if (!disk) GTEST_SKIP() << "SKIPPED: a small file system cannot be mounted here";
-  const Arguments job = {"--spacing", "4", "--size", "320x180"};
+  const Arguments job = {"--spacing", "4", "--size", "128x72"};
   expectDone(run(render(scene, at("whole"), job)));
   EXPECT_EQ(run(render(scene, at("disk/out"), job)).status, 3);
   EXPECT_GT(framesIn(at("disk/out")), 0);
