@@ -12,6 +12,7 @@
 #include "aqm/gaussian.h"
 #include "aqm/grid_masking.h"
 #include "aqm/passband.h"
+#include "aqm/row_pairs.h"
 #include "aqm/transpose.h"
 
 namespace promenade::aqm {
@@ -55,14 +56,28 @@ class FastBand {
 
  private:
   struct Scratch {
-    Scratch(const Grid& grid, const GridMasking& masking, std::size_t terms)
-        : rows(grid.padded.width / 2 + 1, kRowsPerBlock),
-          filtered(grid.padded.width + 2 * grid.apron, 1),
-          weights(grid.sites.width + 2 * grid.apron, static_cast<int>(terms) * kRowsPerBlock),
-          extended(masking.extendedRow()) {}
+    Scratch(const BandPlan& plan, const GridMasking& masking, int width)
+        : rows(plan.grid.padded.width / 2 + 1, kRowsPerBlock),
+          packed(plan.grid.padded.width, 1),
+          filtered(plan.grid.padded.width + 2 * plan.grid.apron + kPlaneUnit, 1),
+          weights(width, static_cast<int>(plan.terms.shapes.size()) * kRowsPerBlock),
+          spare(width, 1),
+          extended(masking.extendedRow()) {
+      // Where nothing moves, nothing else is written here.
+      for (std::size_t m = 0; m < plan.terms.shapes.size(); ++m) {
+        for (int i = 0; i < kRowsPerBlock; ++i) {
+          std::fill_n(weightsOf(m, i), width, plan.terms.coefficients[m][0]);
+        }
+      }
+    }
+    /// Of term m in row i of the block.
+    float* weightsOf(std::size_t m, int i) { return weights.row(static_cast<int>(m) * kRowsPerBlock + i); }
+
     Spectrum rows;
-    Plane<float> filtered;
-    Plane<float> weights;  ///< of term m in row i: row m * kRowsPerBlock + i
+    Spectrum packed;  ///< of two rows; stays 0 where the channel passes nothing
+    Spectrum filtered;
+    Plane<float> weights;
+    Plane<float> spare;  ///< the second row of a pair whose first is the last one
     ExtendedRow extended;
   };
 
@@ -125,7 +140,7 @@ class FastBand {
       const std::uint16_t* row = steps.row(pixel(y, layout_.image.height));
       for (std::size_t m = 0; m < radial_.size(); ++m) {
         const float* table = plan_.terms.coefficients[m].data();
-        float* weights = scratch.weights.row(static_cast<int>(m) * kRowsPerBlock + y - begin);
+        float* weights = scratch.weightsOf(m, y - begin);
         for (int x = 0; x < grid.apron; ++x) {
           weights[x] = table[row[0]];
         }
@@ -141,12 +156,11 @@ class FastBand {
   }
 
   void transformRows(const Plane<std::uint16_t>* steps) {
-    const Grid& grid = plan_.grid;
-    const int spectrumColumns = grid.padded.width / 2 + 1;
+    const int apron = plan_.grid.apron;
     const int height = responses_[0].height();
     const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
     tbb::enumerable_thread_specific<Scratch> scratches(
-        [&] { return Scratch(grid, masking_, radial_.size()); });
+        [&] { return Scratch(plan_, masking_, responses_[0].width()); });
     tbb::parallel_for(0, blocks, [&](int block) {
       Scratch& scratch = scratches.local();
       const int begin = block * kRowsPerBlock;
@@ -155,55 +169,53 @@ class FastBand {
         weigh(*steps, begin, end, scratch);
       }
       for (std::size_t frame = 0; frame < 2; ++frame) {
+        for (int y = begin; y < end; ++y) {
+          std::fill_n(responses_[frame].row(y), responses_[frame].stride(), 0.0f);
+        }
         for (std::size_t m = 0; m < radial_.size(); ++m) {
-          for (int i = 0; i < end - begin; ++i) {
-            // The last transform has overwritten the row.
-            std::fill(scratch.rows.row(i), scratch.rows.row(i) + passed_.begin, 0.0f);
-            std::fill(scratch.rows.row(i) + passed_.end, scratch.rows.row(i) + spectrumColumns, 0.0f);
-          }
-          const int first = grid.margin - grid.apron + begin;
-          const int beforeWrap = std::clamp(grid.padded.height - first, 0, end - begin);
-          transposeRows(columns_[frame][m], first, beforeWrap, passed_.begin, passed_.end, scratch.rows);
-          for (int i = beforeWrap; i < end - begin; ++i) {
-            for (int ix = passed_.begin; ix < passed_.end; ++ix) {
-              scratch.rows.row(i)[ix] = columns_[frame][m].row(ix)[first + i - grid.padded.height];
-            }
-          }
-          for (int y = begin; y < end; ++y) {
-            float* filtered = scratch.filtered.row(0);
-            plans_.inverseRow(scratch.rows.row(y - begin), filtered);
-            std::copy_n(filtered, 2 * grid.apron, filtered + grid.padded.width);
-            accumulate(scratch, m, y - begin, steps != nullptr, responses_[frame].row(y));
-          }
+          takeRows(columns_[frame][m], begin, end, scratch.rows);
+          addRows(m, begin, end, scratch, responses_[frame]);
         }
         if (masking_.masks(frame)) {
-          for (int y = std::max(begin, grid.apron); y < std::min(end, height - grid.apron); ++y) {
-            masking_.elevateRow(frame, y - grid.apron, responses_[frame].row(y), scratch.extended);
+          for (int y = std::max(begin, apron); y < std::min(end, height - apron); ++y) {
+            masking_.elevateRow(frame, y - apron, responses_[frame].row(y), scratch.extended);
           }
         }
       }
     });
   }
 
-  void accumulate(const Scratch& scratch, std::size_t m, int row, bool moves, float* to) const {
-    const float* from = scratch.filtered.row(0) + plan_.grid.margin - plan_.grid.apron;
-    const int width = responses_[0].width();
-    if (!moves) {
-      const float weight = plan_.terms.coefficients[m][0];
-      for (int x = 0; x < width; ++x) {
-        to[x] = (m == 0 ? 0.0f : to[x]) + weight * from[x];
+  /// Rows begin .. end - 1 of the responses, which start `apron` sites before the image, out of the columns;
+  /// and a row of nothing if they are an odd number.
+  void takeRows(const Spectrum& columns, int begin, int end, Spectrum& rows) const {
+    const Grid& grid = plan_.grid;
+    const int first = grid.margin - grid.apron + begin;
+    const int beforeWrap = std::clamp(grid.padded.height - first, 0, end - begin);
+    transposeRows(columns, first, beforeWrap, passed_.begin, passed_.end, rows);
+    for (int i = beforeWrap; i < end - begin; ++i) {
+      for (int ix = passed_.begin; ix < passed_.end; ++ix) {
+        rows.row(i)[ix] = columns.row(ix)[first + i - grid.padded.height];
       }
-      return;
     }
-    const float* weights = scratch.weights.row(static_cast<int>(m) * kRowsPerBlock + row);
-    if (m == 0) {
-      for (int x = 0; x < width; ++x) {
-        to[x] = weights[x] * from[x];
-      }
-    } else {
-      for (int x = 0; x < width; ++x) {
-        to[x] += weights[x] * from[x];
-      }
+    if ((end - begin) % 2 != 0) {
+      std::fill(rows.row(end - begin) + passed_.begin,
+                rows.row(end - begin) + std::max(passed_.begin, passed_.end), 0.0f);
+    }
+  }
+
+  /// Transforms scratch.rows, two at a time, and adds them, weighted as term m is, to rows begin .. end - 1.
+  void addRows(std::size_t m, int begin, int end, Scratch& scratch, Plane<float>& to) const {
+    const Grid& grid = plan_.grid;
+    const int width = grid.padded.width;
+    for (int i = 0; i < end - begin; i += 2) {
+      packRows(scratch.rows.row(i), scratch.rows.row(i + 1), passed_.begin, passed_.end, width,
+               scratch.packed.row(0));
+      std::complex<float>* filtered = scratch.filtered.row(0);
+      plans_.inverseRowPair(scratch.packed.row(0), filtered);
+      std::copy_n(filtered, 2 * grid.apron, filtered + width);
+      float* second = i + 1 < end - begin ? to.row(begin + i + 1) : scratch.spare.row(0);
+      addRowPair(filtered + grid.margin - grid.apron, scratch.weightsOf(m, i), scratch.weightsOf(m, i + 1),
+                 to.row(begin + i), second, to.stride());
     }
   }
 

@@ -38,6 +38,7 @@ FourierPlans::FourierPlans(Size size) {
   Plane<float> reals(size.width, 1);
   Plane<std::complex<float>> row(size.width / 2 + 1, 1);
   Plane<std::complex<float>> columns(size.height, 2);
+  Plane<std::complex<float>> pair(size.width, 2);
   const std::lock_guard lock(plannerMutex());
   forwardRow_.reset(fftwf_plan_dft_r2c_1d(size.width, reals.row(0), raw(row.row(0)), FFTW_ESTIMATE));
   inverseRow_.reset(fftwf_plan_dft_c2r_1d(size.width, raw(row.row(0)), reals.row(0), FFTW_ESTIMATE));
@@ -45,6 +46,8 @@ FourierPlans::FourierPlans(Size size) {
       fftwf_plan_dft_1d(size.height, raw(columns.row(0)), raw(columns.row(1)), FFTW_FORWARD, FFTW_ESTIMATE));
   inverseColumn_.reset(
       fftwf_plan_dft_1d(size.height, raw(columns.row(0)), raw(columns.row(1)), FFTW_BACKWARD, FFTW_ESTIMATE));
+  inverseRowPair_.reset(
+      fftwf_plan_dft_1d(size.width, raw(pair.row(0)), raw(pair.row(1)), FFTW_BACKWARD, FFTW_ESTIMATE));
 }
 
 void FourierPlans::forwardRow(const float* from, std::complex<float>* to) const {
@@ -57,6 +60,10 @@ void FourierPlans::forwardColumn(const std::complex<float>* from, std::complex<f
 
 void FourierPlans::inverseColumn(const std::complex<float>* from, std::complex<float>* to) const {
   fftwf_execute_dft(inverseColumn_.get(), raw(keptInput(from)), raw(to));
+}
+
+void FourierPlans::inverseRowPair(const std::complex<float>* from, std::complex<float>* to) const {
+  fftwf_execute_dft(inverseRowPair_.get(), raw(keptInput(from)), raw(to));
 }
 
 void FourierPlans::inverseRow(std::complex<float>* from, float* to) const {

@@ -26,6 +26,8 @@ class FourierPlans {
   void inverseColumn(const std::complex<float>* from, std::complex<float>* to) const;
   /// width/2 + 1 complex numbers, which are overwritten, -> width reals.
   void inverseRow(std::complex<float>* from, float* to) const;
+  /// Two rows at once (row_pairs.h): width complex numbers -> as many, not in place.
+  void inverseRowPair(const std::complex<float>* from, std::complex<float>* to) const;
 
  private:
   struct Destroy {
@@ -37,6 +39,7 @@ class FourierPlans {
   Plan forwardColumn_;
   Plan inverseColumn_;
   Plan inverseRow_;
+  Plan inverseRowPair_;
 };
 
 }  // namespace promenade::aqm

@@ -5,8 +5,9 @@
 
 #include <cstddef>
 #include <memory>
-#include <new>
 #include <type_traits>
+
+#include "aqm/plane_memory.h"
 
 namespace promenade::aqm {
 
@@ -15,15 +16,17 @@ inline constexpr int kPlaneUnit = 32;
 
 template <class T>
 class Plane {
-  static_assert(std::is_trivially_destructible_v<T>);
+  // Numbers whose zero is made of zero bits.
+  static_assert(std::is_trivially_destructible_v<T> && std::is_trivially_copy_constructible_v<T>);
 
  public:
   Plane() = default;
   /// All zero.
   Plane(int width, int height)
       : width_(width), height_(height), stride_((width + kPlaneUnit - 1) / kPlaneUnit * kPlaneUnit) {
-    const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_);
-    elements_.reset(new (std::align_val_t{64}) T[count]());
+    const std::size_t bytes =
+        sizeof(T) * static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_);
+    elements_ = Elements(static_cast<T*>(zeroedMemory(bytes)), Deleter{bytes});
   }
 
   [[nodiscard]] int width() const { return width_; }
@@ -37,8 +40,10 @@ class Plane {
 
  private:
   struct Deleter {
-    void operator()(T* elements) const { ::operator delete[](elements, std::align_val_t{64}); }
+    std::size_t bytes = 0;
+    void operator()(T* elements) const { freeMemory(elements, bytes); }
   };
+  using Elements = std::unique_ptr<T[], Deleter>;
   [[nodiscard]] std::size_t offset(int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
   }
@@ -46,7 +51,7 @@ class Plane {
   int width_ = 0;
   int height_ = 0;
   int stride_ = 0;
-  std::unique_ptr<T[], Deleter> elements_;
+  Elements elements_;
 };
 
 }  // namespace promenade::aqm
