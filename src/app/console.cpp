@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 
@@ -66,9 +67,10 @@ Console::~Console() {
 
 void Console::result(const std::string& text) {
   clearBar();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw CannotContinue("standard output: cannot write");
-  }
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  // A reader that has seen enough (`| head`) is no failure, neither of the work nor of the verdict.
+  if (errno != EPIPE) throw CannotContinue("standard output: cannot write");
 }
 
 void Console::info(const std::string& line) {

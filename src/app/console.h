@@ -32,7 +32,8 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// A result: one or more lines on stdout. Throws CannotContinue if stdout cannot take it.
+  /// A result: one or more lines on stdout. Nothing happens if stdout is a pipe whose reader has gone;
+  /// throws CannotContinue if it cannot take it for another reason.
   void result(const std::string& text);
   void info(const std::string& line);
   void warning(const std::string& line);

@@ -1,6 +1,9 @@
 // `promenade compare`: what is compared (layers, masks, frames that do not match) and by which choices of the
 // metric.
 
+#include <unistd.h>
+
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -123,6 +126,19 @@ TEST_F(Compare, EveryChoiceOfThePipelineChangesTheVerdictAndIsNoted) {
   expectRefused(run({"compare", a, a, "--bands", "1"}), "--bands");
   expectRefused(run({"compare", a, a, "--csf", "daly", "--velocity", "1,0"}),
                 "know of motion, and not with --csf daly");
+}
+
+TEST_F(Compare, AVerdictStandsThoughNobodyReadsIt) {
+  writeGrating(0.2);
+  const Outcome outcome =
+      run({"compare", at("test.exr"), at("reference.exr"), "--absolute", "--fail-above", "1"}, [] {
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0) _exit(126);
+        close(ends[0]);
+        dup2(ends[1], STDOUT_FILENO);
+      });
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.error(), "");
 }
 
 }  // namespace

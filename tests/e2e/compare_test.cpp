@@ -151,6 +151,25 @@ TEST_F(Compare, LuminanceThatIsNotFiniteIsRefusedWithItsFileAndPixel) {
   EXPECT_EQ(nlohmann::json::parse(dark.out, nullptr, false)["percent_visible_worst"], 0.0);
 }
 
+TEST_F(Compare, RadianceThatIsNoNumberIsBlackAndInfiniteRadianceWhite) {
+  const auto write = [&](const char* name, double left, double right) {
+    const Value value = [=](int x, int) { return x < 32 ? left : right; };
+    writeExr(at(name), 64, 32, {{"R", value}, {"G", value}, {"B", value}});
+  };
+  write("reference.exr", 0.0, 1e6);
+  write("same.exr", -3.0, std::numeric_limits<double>::infinity());
+  write("nan.exr", std::numeric_limits<double>::quiet_NaN(), 1e6);
+  write("other.exr", 0.3, 1e6);
+  const auto worst = [&](const char* name) {
+    const Outcome outcome = run({"compare", at(name), at("reference.exr"), "--exposure", "0", "--json"});
+    expectDone(outcome);
+    return nlohmann::json::parse(outcome.out, nullptr, false)["frames"][0]["jnd_max"].get<double>();
+  };
+  EXPECT_EQ(worst("same.exr"), 0.0);
+  EXPECT_EQ(worst("nan.exr"), 0.0);
+  EXPECT_GT(worst("other.exr"), 1.0);
+}
+
 TEST_F(Compare, CompareOfAbsoluteLuminanceGivesThePublishedNumbers) {
   // A grating of 1% contrast, two cycles per degree, at 50 cd/m2 and 32 pixels per degree against uniform
   // grey: at rest Jmax = 1.2523, mean J = 0.81675, 33.37% visible; moving at 8 degrees per second across its

@@ -1,5 +1,6 @@
 // Versions, the log, the estimate, colours: what every user meets.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -93,6 +94,32 @@ TEST_F(Everyday, ColoursAreForTerminals) {
   EXPECT_THAT(onTerminal(wrong, "TERM", "xterm"), HasSubstr("\x1b[31;1merror\x1b[m"));
   EXPECT_THAT(onTerminal(wrong, "TERM", "dumb"), Not(HasSubstr("\x1b[")));
   EXPECT_THAT(onTerminal(wrong, "NO_COLOR", "1"), Not(HasSubstr("\x1b[")));
+}
+
+// As `promenade ... | head` when head has ended: its work is done, its verdict stands, nothing is said.
+TEST_F(Everyday, AReaderThatHasGoneIsNoError) {
+  const auto withoutReader = [] {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) _exit(126);
+    close(ends[0]);
+    dup2(ends[1], STDOUT_FILENO);
+  };
+  for (const std::vector<std::string>& line :
+       {std::vector<std::string>{"--help"}, {"--version"}, {"render", "--help"}}) {
+    const Outcome outcome = run(line, withoutReader);
+    EXPECT_EQ(outcome.status, 0) << line[0];
+    EXPECT_EQ(outcome.err, "") << line[0];
+  }
+  expectDone(rendered({"--quiet"}));
+  const Outcome same = run({"compare", at("out"), at("out"), "--quiet"}, withoutReader);
+  EXPECT_EQ(same.status, 0);
+  EXPECT_EQ(same.err, "");
+}
+
+TEST_F(Everyday, AStandardOutputThatIsFullIsAnError) {
+  const Outcome outcome = run({"--help"}, [] { dup2(open("/dev/full", O_WRONLY), STDOUT_FILENO); });
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("standard output: cannot write"));
 }
 
 }  // namespace
