@@ -98,6 +98,12 @@ void reportEdgesInNoise(Report& report, const std::filesystem::path& data) {
   aqm::Settings point = aqm::aqm(kPpd);
   point.masking.extent = aqm::MaskExtent::kPoint;
   kinds.push_back({"masking at the point", point});
+  aqm::Settings stronger = aqm::aqm(kPpd);
+  stronger.masking.strength = aqm::revisedAqm(kPpd).masking.strength;
+  kinds.push_back({"aqm, masking times 1.24", stronger});
+  aqm::Settings gained = aqm::aqm(kPpd);
+  gained.gain = 1.35;
+  kinds.push_back({"aqm, gain 1.35", gained});
   const double measuredAlone = measuredThreshold(rows, "none");
   std::vector<std::vector<std::string>> table{{"noise", "threshold, measured", "elevation dB"}};
   table.push_back({"none", fixed(measuredAlone, 5), "0"});
@@ -108,6 +114,7 @@ void reportEdgesInNoise(Report& report, const std::filesystem::path& data) {
     table[1].push_back(fixed(decibels(alone.back() / measuredAlone), 1) + " (threshold)");
   }
   std::vector<std::vector<double>> errors(kinds.size());
+  std::vector<std::vector<double>> thresholdErrors(kinds.size());
   for (const std::string name : {"white", "pink", "brown", "NB05", "NB3", "NB9"}) {
     const double measured = measuredThreshold(rows, name);
     const double elevation = decibels(measured / measuredAlone);
@@ -120,12 +127,28 @@ void reportEdgesInNoise(Report& report, const std::filesystem::path& data) {
             decibels(maskedThreshold(kSize, 100.0, edge, mask, kinds[i].settings) / alone[i]));
       }
       errors[i].push_back(mean(predicted) - elevation);
+      thresholdErrors[i].push_back(errors[i].back() + decibels(alone[i] / measuredAlone));
       table.back().push_back(fixed(mean(predicted), 1));
     }
   }
   table.push_back({"rms error of the elevation, dB", "", ""});
   for (const std::vector<double>& one : errors) table.back().push_back(fixed(rms(one), 1));
+  table.push_back({"rms error of the threshold in noise, dB", "", ""});
+  for (const std::vector<double>& one : thresholdErrors) table.back().push_back(fixed(rms(one), 1));
   report.table(table);
+  report.text(
+      "2.6 dB are asked. aqm misses that because its threshold of the edge alone is " +
+      fixed(decibels(alone[0] / measuredAlone), 1) +
+      " dB too high, and an elevation is relative to it: its thresholds in noise are right to " +
+      fixed(rms(thresholdErrors[0]), 1) +
+      " dB. Under a strong mask the elevation is proportional to the gain and to the strength of the "
+      "masking. "
+      "With the gain that fits all 14 Gabors (1.35 instead of 1.09, which fits 12), or with responses that "
+      "mask by a quarter more (1.24, as in revised), the error is " +
+      fixed(rms(errors[7]), 1) + " or " + fixed(rms(errors[6]), 1) +
+      " dB. aqm keeps the constants of its specification; revised is where they were changed. What no such "
+      "factor mends is noise of 3 cycles per degree: observers are masked by it more than any setting "
+      "predicts. (The metric is given the same noise in both frames; an observer does not know the noise.)");
   report.verdict(
       "Edges in six noises, threshold elevation",
       "aqm " + fixed(rms(errors[0]), 1) + ", revised " + fixed(rms(errors[1]), 1) + ", vdp " +
