@@ -4,6 +4,7 @@
 
 #include "src/app/completion.h"
 #include "src/app/config_file.h"
+#include "src/app/farm_command_line.h"
 #include "src/app/man_page.h"
 #include "src/app/option_values.h"
 #include "src/app/options.h"
@@ -215,8 +216,11 @@ struct VerbEntry {
   const char* about;
 };
 
-constexpr std::array<VerbEntry, 7> kVerbs = {{
+constexpr std::array<VerbEntry, 10> kVerbs = {{
     {Verb::kRender, "render", "Render a walk through a scene: frames, video and report"},
+    {Verb::kPlan, "plan", "Divide a walk into tasks for many machines"},
+    {Verb::kWork, "work", "Do one task of a plan"},
+    {Verb::kAssemble, "assemble", "Make video and report when all tasks of a plan are done"},
     {Verb::kCompare, "compare",
      "Where would a viewer see a difference between two images, sequences or videos?"},
     {Verb::kPath, "path", "Describe, convert or draw a camera path"},
@@ -330,6 +334,16 @@ void addVerb(CLI::App& verb, Verb which, CommandLine& line, std::string& config)
   switch (which) {
     case Verb::kRender:
       addRender(verb, line.render);
+      break;
+    case Verb::kPlan:
+      addRender(verb, line.render);
+      verb.footer("Example:\n  promenade plan hall.glb --size 640x360 --out walk");
+      break;
+    case Verb::kWork:
+      addWork(verb, line.work);
+      break;
+    case Verb::kAssemble:
+      addAssemble(verb, line.assemble);
       break;
     case Verb::kCompare:
       addCompare(verb, line.compare);
@@ -456,7 +470,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   if (arguments.empty())
     throw InputError(
-        "expected a verb: render, compare, path, encode, report, info or converge (promenade --help)");
+        "expected a verb: render, plan, work, assemble, compare, path, encode, report, info or converge "
+        "(promenade --help)");
   const std::string& first = arguments.front();
   if (const auto text = madeOfHelp(arguments)) {
     line.text = *text;

@@ -9,9 +9,8 @@
 
 namespace promenade::app {
 
-walkthrough::Report reportOf(const LoadedJob& job, const PreparedJob& prepared, int threads) {
+walkthrough::Report reportOf(const LoadedJob& job, const Preparation& choices, int threads) {
   const RenderOptions& options = job.options;
-  const Preparation& choices = prepared.choices;
   walkthrough::Report report;
   report.version = PROMENADE_VERSION;
   report.job = {.scene = options.scene,
@@ -29,7 +28,7 @@ walkthrough::Report reportOf(const LoadedJob& job, const PreparedJob& prepared, 
   report.settings = job.settings;
   report.settings.tone.exposureEv = choices.exposureEv;
   if (choices.light) report.light = choices.light->report;
-  report.seconds.load = job.secondsLoading + prepared.secondsBuilding;
+  report.seconds.load = job.secondsLoading;
   report.seconds.indirect = choices.secondsIndirect;
   report.seconds.prepare = choices.secondsChoosing;
   return report;

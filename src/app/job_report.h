@@ -10,8 +10,8 @@
 namespace promenade::app {
 
 /// The job, its settings and what was decided for it. Statistics and seconds are left to the caller, but for
-/// those of loading and preparing.
-[[nodiscard]] walkthrough::Report reportOf(const LoadedJob& job, const PreparedJob& prepared, int threads);
+/// those of loading the job and of deciding.
+[[nodiscard]] walkthrough::Report reportOf(const LoadedJob& job, const Preparation& choices, int threads);
 
 /// Of --spp auto: a warning if the paths ran out before a viewer would have called the frames done.
 void warnOfNoise(const walkthrough::Statistics& statistics, Console& console);

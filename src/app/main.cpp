@@ -20,6 +20,12 @@ ExitStatus runVerb(const CommandLine& line, Console& console) {
   switch (line.verb) {
     case Verb::kRender:
       return runRender(line.render, console);
+    case Verb::kPlan:
+      return runPlan(line.render, console);
+    case Verb::kWork:
+      return runWork(line.work, console);
+    case Verb::kAssemble:
+      return runAssemble(line.assemble, console);
     case Verb::kCompare:
       return runCompare(line.compare, console);
     case Verb::kPath:

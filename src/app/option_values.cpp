@@ -42,6 +42,7 @@ constexpr std::array kValues = {
     Values{"--sun", "ELEVATION,AZIMUTH"},
     Values{"--video", "FILE"},
     Values{"--threads", "N"},
+    Values{"--task", "K"},
     Values{"--seed", "N"},
     Values{"--metric", "aqm|aqm2000|revised|vdp|model1|model2|model3|rmse|psnr"},
     Values{"--eye", "tracking|fixating|stabilised"},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/app/console.h"
+#include "src/app/farm_options.h"
 #include "src/app/scene_options.h"
 
 namespace promenade::app {
@@ -115,13 +116,27 @@ struct ConvergeOptions {
   std::string convergedPaths = "1024";
 };
 
-enum class Verb { kHelpOnly, kRender, kCompare, kPath, kEncode, kReport, kInfo, kConverge };
+enum class Verb {
+  kHelpOnly,
+  kRender,
+  kPlan,
+  kWork,
+  kAssemble,
+  kCompare,
+  kPath,
+  kEncode,
+  kReport,
+  kInfo,
+  kConverge
+};
 
 struct CommandLine {
   Verb verb = Verb::kHelpOnly;
   std::string text;  ///< kHelpOnly: what to print
   ConsoleOptions console;
-  RenderOptions render;
+  RenderOptions render;  ///< of kPlan, too
+  WorkOptions work;
+  AssembleOptions assemble;
   CompareOptions compare;
   PathOptions path;
   EncodeOptions encode;

@@ -36,13 +36,15 @@ void removeFile(const fs::path& file) {
 
 OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing existing)
     : folder_(std::move(folder)) {
-  for (const char* part : {"frames", "parts"}) {
-    makeFolder(folder_ / part);
-    io::removeLeftoverTemporaries(folder_ / part);
+  for (const char* part : {"frames", "parts"}) makeFolder(folder_ / part);
+  if (existing != Existing::kShare) {
+    for (const char* part : {"", "frames", "parts", "tasks", "keyframes"}) {
+      if (fs::is_directory(folder_ / part)) io::removeLeftoverTemporaries(folder_ / part);
+    }
   }
-  io::removeLeftoverTemporaries(folder_);
   // Creating and discarding a file shows whether the folder can be written, before any work is done.
   const io::AtomicFile probe(folder_ / "frames" / "probe");
+  if (existing == Existing::kShare) return;
   if (existing == Existing::kOverwrite) {
     removeJob();
     return;
@@ -57,15 +59,30 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing ex
 
 void OutputFolder::removeJob() const {
   // The report first and the records before the frames: whenever this ends, nothing claims to be done.
-  for (const char* name : {"report.json", "report.html", "walkthrough.mp4", "prepared.json", "light.json"}) {
+  for (const char* name :
+       {"report.json", "report.html", "walkthrough.mp4", "plan.json", "prepared.json", "light.json"}) {
     removeFile(folder_ / name);
   }
-  for (const fs::path& record : numbered(folder_ / "parts", ".json")) removeFile(record);
+  for (const char* records : {"parts", "tasks"}) {
+    if (!fs::is_directory(folder_ / records)) continue;
+    for (const fs::path& record : numbered(folder_ / records, ".json")) removeFile(record);
+  }
   for (const fs::path& frame : numbered(folder_ / "frames", ".exr")) removeFile(frame);
+  removeKeyframes();
 }
 
 fs::path OutputFolder::frame(int index) const {
   return folder_ / "frames" / io::frameFileName(index);
+}
+
+fs::path OutputFolder::keyframe(int index) const {
+  return folder_ / "keyframes" / io::frameFileName(index);
+}
+
+void OutputFolder::removeKeyframes() const {
+  std::error_code error;
+  fs::remove_all(folder_ / "keyframes", error);
+  if (error) throw InputError((folder_ / "keyframes").string(), "cannot be removed: " + error.message());
 }
 
 fs::path OutputFolder::map(const std::string& name) const {

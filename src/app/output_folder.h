@@ -1,6 +1,7 @@
 #pragma once
 // The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/, and
-// what is needed to go on with it: prepared.json, light.json, parts/.
+// what is needed to go on with it: prepared.json, light.json, parts/. A plan for many machines (farm_plan.h)
+// adds plan.json, tasks/, keyframes/.
 
 #include <filesystem>
 #include <string>
@@ -10,6 +11,7 @@ namespace promenade::app {
 enum class Existing {
   kResume,     ///< go on with frames of this very job; refuse those of another (the default)
   kOverwrite,  ///< remove what is there and begin again
+  kShare,      ///< other processes write there at the same time: look at nothing, remove nothing
 };
 
 class OutputFolder {
@@ -20,9 +22,13 @@ class OutputFolder {
   OutputFolder(std::filesystem::path folder, const std::string& hash, Existing existing);
 
   [[nodiscard]] std::filesystem::path frame(int index) const;
+  /// Of a keyframe that is handed on at sample resolution.
+  [[nodiscard]] std::filesystem::path keyframe(int index) const;
   [[nodiscard]] std::filesystem::path map(const std::string& name) const;
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   void makeMapsFolder() const;
+  /// What many machines needed of each other (keyframes/).
+  void removeKeyframes() const;
 
  private:
   void removeJob() const;

@@ -102,7 +102,8 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
 
   const std::optional<Preparation> earlier = preparationIn(folder, job.hash);
   const PreparedJob prepared = prepare(job, folder, threads.count(), console);
-  walkthrough::Report report = reportOf(job, prepared, threads.count());
+  walkthrough::Report report = reportOf(job, prepared.choices, threads.count());
+  report.seconds.load += prepared.secondsBuilding;
   // What this run does not do again was paid for by an earlier one.
   if (earlier) report.wallSeconds += earlier->secondsIndirect + earlier->secondsChoosing;
   for (const auto& [first, record] : progression.done) {

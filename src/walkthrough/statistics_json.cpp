@@ -65,6 +65,24 @@ SegmentStatistics segmentFrom(const nlohmann::json& value) {
           .rays = countsFrom(value.at("rays"))};
 }
 
+Json toJson(const SegmentStatistics& statistics) {
+  const auto& [segment, decision, differencePercent, maskedPercent, unverifiedPercent, probes,
+               probeDifferencePercent, rays] = statistics;
+  return {{"first", segment.first},
+          {"last", segment.last},
+          {"middle", segment.middle()},
+          {"difference_percent", differencePercent},
+          {"masked_percent", maskedPercent},
+          {"unverified_percent", unverifiedPercent},
+          {"probes", probes},
+          {"probe_difference_percent", probeDifferencePercent},
+          {"decision", decision == Decision::kSplit ? "split" : "accept"},
+          {"depth", segment.depth},
+          {"rays", toJson(rays)}};
+}
+
+}  // namespace
+
 Json toJson(const FrameStatistics& frame) {
   const auto& [index, kind, samples, samplesTraced, holes, itemSamples, itemsTraced, warped, layered, reused,
                stopping, rays, seconds] = frame;
@@ -84,23 +102,13 @@ Json toJson(const FrameStatistics& frame) {
   return json;
 }
 
-Json toJson(const SegmentStatistics& statistics) {
-  const auto& [segment, decision, differencePercent, maskedPercent, unverifiedPercent, probes,
-               probeDifferencePercent, rays] = statistics;
-  return {{"first", segment.first},
-          {"last", segment.last},
-          {"middle", segment.middle()},
-          {"difference_percent", differencePercent},
-          {"masked_percent", maskedPercent},
-          {"unverified_percent", unverifiedPercent},
-          {"probes", probes},
-          {"probe_difference_percent", probeDifferencePercent},
-          {"decision", decision == Decision::kSplit ? "split" : "accept"},
-          {"depth", segment.depth},
-          {"rays", toJson(rays)}};
+std::optional<FrameStatistics> frameStatisticsFrom(const nlohmann::json& value) {
+  try {
+    return frameFrom(value);
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
 }
-
-}  // namespace
 
 Json toJson(const Statistics& statistics) {
   const auto& [frames, segments, seconds] = statistics;

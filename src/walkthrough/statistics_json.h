@@ -9,6 +9,10 @@
 
 namespace promenade::walkthrough {
 
+[[nodiscard]] nlohmann::ordered_json toJson(const FrameStatistics& frame);
+/// Nothing if it is not what toJson() makes.
+[[nodiscard]] std::optional<FrameStatistics> frameStatisticsFrom(const nlohmann::json& value);
+
 /// {"segments": [...], "frames": [...], "seconds": {...}}
 [[nodiscard]] nlohmann::ordered_json toJson(const Statistics& statistics);
 /// Nothing if it is not what toJson() makes: another version of the program may have written it.

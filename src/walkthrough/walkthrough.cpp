@@ -43,10 +43,11 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
 class Walk {
  public:
   Walk(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
-       const Outputs& outputs)
+       const Outputs& outputs, const KeyframeStore* store)
       : path_(path),
         settings_(settings),
         outputs_(outputs),
+        store_(store),
         stopping_(settings.stopping ? std::make_unique<StoppingRenderer>(renderer, settings) : nullptr),
         renderer_(stopping_ ? *stopping_ : renderer) {}
 
@@ -69,11 +70,25 @@ class Walk {
     return all;
   }
 
+  Keyframe trace(int index) {
+    Keyframe made;
+    double& seconds = statistics_.seconds.trace;
+    const double before = seconds;
+    {
+      const Stopwatch watch(seconds);
+      const RayMeter meter(renderer_, made.statistics.rays);
+      made.frame = renderer_.render(sampleCamera(index), index);
+    }
+    made.statistics.index = index;
+    made.statistics.kind = FrameKind::kKeyframe;
+    made.statistics.samples = made.frame.diffuse.size().area();
+    made.statistics.samplesTraced = made.statistics.samples;
+    made.statistics.seconds = seconds - before;
+    if (stopping_) made.statistics.stopping = stopping_->spent();
+    return made;
+  }
+
  private:
-  struct Keyframe {
-    Frame frame;
-    FrameStatistics statistics;
-  };
   struct JudgedInbetween {
     int index = -1;
     WarpedPair warped;
@@ -105,21 +120,15 @@ class Walk {
   const Frame& keyframe(int index) {
     const auto found = keyframes_.find(index);
     if (found != keyframes_.end()) return found->second.frame;
-    const double before = statistics_.seconds.trace;
-    Keyframe made;
-    {
-      const Stopwatch watch(statistics_.seconds.trace);
-      const RayMeter meter(renderer_, made.statistics.rays);
-      made.frame = renderer_.render(sampleCamera(index), index);
+    if (store_ != nullptr) {
+      if (auto kept = store_->find(index)) {
+        return keyframes_.emplace(index, std::move(*kept)).first->second.frame;
+      }
     }
-    made.statistics.index = index;
-    made.statistics.kind = FrameKind::kKeyframe;
-    made.statistics.samples = made.frame.diffuse.size().area();
-    made.statistics.samplesTraced = made.statistics.samples;
-    made.statistics.seconds = statistics_.seconds.trace - before;
-    if (stopping_) made.statistics.stopping = stopping_->spent();
+    const Keyframe& made = keyframes_.emplace(index, trace(index)).first->second;
     if (outputs_.keyframe) outputs_.keyframe(made.statistics.seconds);
-    return keyframes_.emplace(index, std::move(made)).first->second.frame;
+    if (store_ != nullptr) store_->keep(index, made);
+    return made.frame;
   }
 
   // Apart from what is done with them, so that each frame's rays and seconds are its own.
@@ -286,6 +295,7 @@ class Walk {
   const paths::CameraPath& path_;
   const Settings& settings_;
   const Outputs& outputs_;
+  const KeyframeStore* store_;                        ///< null: parts share nothing but through this walk
   const std::unique_ptr<StoppingRenderer> stopping_;  ///< null: the renderer's own number of paths
   const Renderer& renderer_;
   std::map<int, Keyframe> keyframes_;
@@ -298,9 +308,16 @@ class Walk {
 }  // namespace
 
 Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
-                       const Plan& parts, const Outputs& outputs) {
+                       const Plan& parts, const Outputs& outputs, const KeyframeStore* store) {
   validate(path, settings);
-  return Walk(path, renderer, settings, outputs).run(parts);
+  return Walk(path, renderer, settings, outputs, store).run(parts);
+}
+
+Keyframe traceKeyframe(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+                       int frame) {
+  validate(path, settings);
+  const Outputs none;
+  return Walk(path, renderer, settings, none, nullptr).trace(frame);
 }
 
 Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,

@@ -71,6 +71,25 @@ struct JudgedMiddle {
   aqm::Result metric;
 };
 
+/// A frame that was ray traced whole, and what that took.
+struct Keyframe {
+  Frame frame;
+  FrameStatistics statistics;
+};
+
+/// Where parts that are rendered apart hand the keyframes that they share to each other.
+class KeyframeStore {
+ public:
+  KeyframeStore() = default;
+  KeyframeStore(const KeyframeStore&) = delete;
+  KeyframeStore& operator=(const KeyframeStore&) = delete;
+  virtual ~KeyframeStore() = default;
+  /// Nothing if it is not there: then it is traced.
+  [[nodiscard]] virtual std::optional<Keyframe> find(int frame) const = 0;
+  /// Told of every keyframe that was traced.
+  virtual void keep(int frame, const Keyframe& keyframe) const = 0;
+};
+
 struct Outputs {
   std::function<void(FinishedFrame&&)> frame;  ///< frames come in the order of time, each exactly once
   std::function<void(JudgedMiddle&&)> middle;  ///< may be empty
@@ -93,7 +112,11 @@ struct Outputs {
 /// InputError if the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside
 /// [0, 100], probes outside [0, 1]).
 Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
-                       const Plan& parts, const Outputs& outputs);
+                       const Plan& parts, const Outputs& outputs, const KeyframeStore* store = nullptr);
+
+/// What renderParts() would trace for this frame.
+[[nodiscard]] Keyframe traceKeyframe(const paths::CameraPath& path, const Renderer& renderer,
+                                     const Settings& settings, int frame);
 
 /// Renders settings.frames of `path`: all parts.
 [[nodiscard]] Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,

@@ -329,6 +329,57 @@ TEST(Walkthrough, InPartsOfAnyOrderIsTheSameAsInOne) {
   }
 }
 
+Keyframe copyOf(const Keyframe& keyframe) {
+  const Frame& f = keyframe.frame;
+  const Visibility& v = f.visibility;
+  return {{{v.camera, v.depth.clone(), v.normal.clone(), v.item.clone()},
+           f.diffuse.clone(),
+           f.viewDependent.clone(),
+           f.source.clone()},
+          keyframe.statistics};
+}
+
+/// In memory.
+class CountingStore final : public KeyframeStore {
+ public:
+  [[nodiscard]] std::optional<Keyframe> find(int frame) const override {
+    const auto found = kept_.find(frame);
+    if (found == kept_.end()) return std::nullopt;
+    ++handedOn_;
+    return copyOf(found->second);
+  }
+  void keep(int frame, const Keyframe& keyframe) const override {
+    EXPECT_TRUE(kept_.emplace(frame, copyOf(keyframe)).second) << frame << " traced twice";
+  }
+  [[nodiscard]] int handedOn() const { return handedOn_; }
+
+ private:
+  mutable std::map<int, Keyframe> kept_;
+  mutable int handedOn_ = 0;
+};
+
+TEST(Walkthrough, PartsThatHandKeyframesOnTraceEachOnce) {
+  const auto path = strafe(25, 0.1);
+  Settings settings = settingsFor(path);
+  settings.keyframeSpacing = 8;
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  const WalkResult whole = walk(path, renderer, settings);
+  const AnalyticRenderer apart(Panel::kMirrorLike);
+  const CountingStore store;
+  store.keep(8, traceKeyframe(path, apart, settings, 8));  // a task of its own
+  Statistics together;
+  for (const Segment& part : partsOf(settings)) {  // 0-8-16-24
+    Outputs outputs;
+    outputs.frame = [&](FinishedFrame&& frame) {
+      EXPECT_EQ(largestDifference(frame.radiance, whole.frames.at(frame.index).radiance), 0.0) << frame.index;
+    };
+    together.append(renderParts(path, apart, settings, {part}, outputs, &store));
+  }
+  EXPECT_EQ(store.handedOn(), 3);  // 8 twice, 16 once
+  EXPECT_EQ(together.rays(), whole.statistics.rays());
+  EXPECT_EQ(apart.rayCounts(), renderer.rayCounts());
+}
+
 TEST(Walkthrough, TellsOfEveryKeyframeThatIsTraced) {
   const auto path = strafe(25, 0.1);
   for (const bool stops : {false, true}) {
