@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "src/app/display_presets.h"
@@ -17,9 +21,25 @@ namespace promenade::app {
 namespace {
 
 using Json = nlohmann::json;
-constexpr std::array<std::string_view, 10> kKeys = {"about",       "name",    "resolution", "diagonal",
-                                                    "distance",    "peak",    "black",      "ambient",
-                                                    "reflectance", "transfer"};
+constexpr std::array<std::string_view, 12> kKeys = {"about",       "name",     "resolution", "diagonal",
+                                                    "distance",    "peak",     "black",      "ambient",
+                                                    "reflectance", "transfer", "primaries",  "signal"};
+constexpr std::array<std::string_view, 4> kLights = {"red", "green", "blue", "white"};
+
+void requireKnownKeys(const Json& object, std::span<const std::string_view> known,
+                      const std::string& fileName) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      throw InputError(
+          fileName, "unknown key '" + printable(key) + "'; did you mean '" + nearestName(key, known) + "'?");
+    }
+  }
+}
+
+std::string textIn(const Json& root, const char* key, const std::string& otherwise) {
+  if (!root.contains(key)) return otherwise;
+  return root[key].is_string() ? root[key].get<std::string>() : "";
+}
 
 double numberIn(const Json& root, const char* key, double otherwise, double low, double high,
                 const std::string& fileName) {
@@ -40,17 +60,60 @@ int sideIn(const Json& value, const std::string& fileName) {
   return static_cast<int>(side);
 }
 
+void readTransfer(DisplayModel& display, const std::string& name, const std::string& fileName) {
+  if (name == "srgb" || name == "linear") {
+    display.transfer = name == "srgb" ? TransferFunction::kSrgb : TransferFunction::kLinear;
+    return;
+  }
+  constexpr std::string_view kGamma = "gamma";
+  double gamma = 0.0;
+  if (name.starts_with(kGamma)) {
+    const char* end = name.data() + name.size();
+    const auto parsed = std::from_chars(name.data() + kGamma.size(), end, gamma);
+    if (parsed.ec != std::errc() || parsed.ptr != end) gamma = 0.0;
+  }
+  if (!(gamma >= 1.0 && gamma <= 4.0)) {
+    throw InputError(fileName,
+                     "transfer: expected 'srgb', 'linear' or 'gamma2.2', with any gamma from 1 to 4");
+  }
+  display.transfer = TransferFunction::kGamma;
+  display.gamma = gamma;
+}
+
+glm::dvec2 chromaticityIn(const Json& lights, std::string_view light, const std::string& fileName) {
+  const Json& pair = lights.at(std::string(light));
+  if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number()) {
+    throw InputError(fileName, "primaries." + std::string(light) + ": expected a chromaticity [x, y]");
+  }
+  return {pair[0].get<double>(), pair[1].get<double>()};
+}
+
+Primaries primariesIn(const Json& lights, const std::string& fileName) {
+  if (!lights.is_object()) {
+    throw InputError(fileName, "primaries: expected an object with red, green, blue and white");
+  }
+  requireKnownKeys(lights, kLights, fileName + ": primaries");
+  for (const std::string_view light : kLights) {
+    if (!lights.contains(light)) throw InputError(fileName, "primaries: there is no " + std::string(light));
+  }
+  const Primaries primaries{
+      chromaticityIn(lights, "red", fileName), chromaticityIn(lights, "green", fileName),
+      chromaticityIn(lights, "blue", fileName), chromaticityIn(lights, "white", fileName)};
+  if (!arePossible(primaries)) {
+    throw InputError(
+        fileName,
+        "primaries: expected red, green and blue of a triangle with white inside of it, each with "
+        "x >= 0, y > 0, x + y <= 1");
+  }
+  return primaries;
+}
+
 }  // namespace
 
 DisplayModel displayFromJson(const std::string& text, const std::string& fileName) {
   const Json root = Json::parse(text, nullptr, false);
   if (!root.is_object()) throw InputError(fileName, "expected a JSON object that describes a display");
-  for (const auto& [key, value] : root.items()) {
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-      throw InputError(
-          fileName, "unknown key '" + printable(key) + "'; did you mean '" + nearestName(key, kKeys) + "'?");
-    }
-  }
+  requireKnownKeys(root, kKeys, fileName);
   DisplayModel display;
   display.name =
       root.contains("name") && root["name"].is_string() ? root["name"].get<std::string>() : fileName;
@@ -70,15 +133,13 @@ DisplayModel displayFromJson(const std::string& text, const std::string& fileNam
   if (display.blackLuminance >= display.peakLuminance) {
     throw InputError(fileName, "black: expected less than the peak luminance");
   }
-  if (root.contains("transfer")) {
-    const std::string name = root["transfer"].is_string() ? root["transfer"].get<std::string>() : "";
-    if (name != "srgb" && name != "gamma2.2" && name != "linear") {
-      throw InputError(fileName, "transfer: expected 'srgb', 'gamma2.2' or 'linear'");
-    }
-    display.transfer = name == "srgb"     ? TransferFunction::kSrgb
-                       : name == "linear" ? TransferFunction::kLinear
-                                          : TransferFunction::kGamma22;
+  readTransfer(display, textIn(root, "transfer", "srgb"), fileName);
+  if (root.contains("primaries")) display.primaries = primariesIn(root["primaries"], fileName);
+  const std::string signal = textIn(root, "signal", "srgb");
+  if (signal != "srgb" && signal != "native") {
+    throw InputError(fileName, "signal: expected 'srgb' or 'native'");
   }
+  display.signal = signal == "srgb" ? Signal::kSrgb : Signal::kNative;
   return display;
 }
 

@@ -11,8 +11,9 @@ namespace promenade::app {
 [[nodiscard]] DisplayModel displayNamed(const std::string& nameOrFile);
 
 /// Keys "name", "about" (for people), "resolution" [w, h], "diagonal" and "distance" (metres), "peak" and
-/// "black" (cd/m2), "ambient" (lux), "reflectance", "transfer" ("srgb", "gamma2.2", "linear"); absent ones as
-/// in DisplayModel, which is the default preset. Unknown keys are errors.
+/// "black" (cd/m2), "ambient" (lux), "reflectance", "transfer" ("srgb", "linear", "gamma2.2" or another
+/// gamma), "primaries" (chromaticities of "red", "green", "blue", "white"), "signal" ("srgb", "native");
+/// absent ones as in DisplayModel, which is the default preset. Unknown keys are errors.
 [[nodiscard]] DisplayModel displayFromJson(const std::string& text, const std::string& fileName);
 
 /// The presets' names, separated by '|'.

@@ -1,9 +1,7 @@
 #pragma once
 // The exposure of frames that are already rendered.
 
-#include <optional>
 #include <span>
-#include <string>
 
 #include "src/io/sequence.h"
 
@@ -13,13 +11,5 @@ namespace promenade::app {
 /// middle grey (Reinhard et al. 2002, eq. 1 and 2), rounded to a tenth of a stop. The order of the sequences
 /// changes nothing. Display-encoded frames do not count; 0 if there are no others.
 [[nodiscard]] double exposureFor(std::span<const io::Sequence> sequences);
-
-/// The exposure that the report beside the frames names, if `argument` is a folder that `promenade render`
-/// filled, or the frames in it.
-[[nodiscard]] std::optional<double> renderedExposure(const std::string& argument);
-
-/// "auto" or stops. For "auto" what all the sequences were rendered with, where they agree; else
-/// exposureFor().
-[[nodiscard]] double chosenExposure(const std::string& option, std::span<const io::Sequence> sequences);
 
 }  // namespace promenade::app

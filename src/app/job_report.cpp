@@ -26,7 +26,7 @@ walkthrough::Report reportOf(const LoadedJob& job, const Preparation& choices, i
                 .command = options.command,
                 .directory = std::filesystem::current_path().string()};
   report.settings = job.settings;
-  report.settings.tone.exposureEv = choices.exposureEv;
+  report.settings.tone = choices.tone;
   if (choices.light) report.light = choices.light->report;
   report.seconds.load = job.secondsLoading;
   report.seconds.indirect = choices.secondsIndirect;

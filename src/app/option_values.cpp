@@ -4,6 +4,7 @@
 #include <array>
 
 #include "src/app/displays.h"
+#include "src/core/tone_mapping.h"
 
 namespace promenade::app {
 namespace {
@@ -36,7 +37,7 @@ constexpr std::array kValues = {
     Values{"--method", "ibr|full"},
     Values{"--integrator", "path|walkthrough"},
     Values{"--light-solution", "FILE"},
-    Values{"--tone", "neutral|linear"},
+    Values{"--unit", "auto|CD/M2"},
     Values{"--exposure", "auto|EV"},
     Values{"--environment", "FILE"},
     Values{"--sun", "ELEVATION,AZIMUTH"},
@@ -75,10 +76,20 @@ constexpr std::array kValues = {
     Values{"--log-level", "trace|debug|info|warning|error|critical|off"},
 };
 
+std::string toneNames() {
+  std::string names;
+  for (const ToneCurve curve : allToneCurves()) {
+    if (!names.empty()) names += '|';
+    names += nameOf(curve);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string valuesOf(const std::string& name) {
   if (name == "--display") return displayNames() + "|FILE";
+  if (name == "--tone") return toneNames();
   if (name == "--to") return "FORMAT FILE";
   if (name.starts_with("--max-")) return "N";
   const auto* found =

@@ -31,6 +31,7 @@ struct RenderOptions {
   std::string display = "fhd-24";
   std::string tone = "neutral";
   std::string exposure = "auto";
+  std::string unit = "auto";
   std::string environment;
   bool sky = false;
   std::string sun = "45,30";  ///< degrees: elevation, azimuth
@@ -69,6 +70,7 @@ struct CompareOptions {
   std::string mask;   ///< image or sequence; empty: every pixel counts
   std::string tone = "neutral";
   std::string exposure = "auto";
+  std::string unit = "auto";
   std::string maps;
   std::string heatmap;
   std::string csv;
@@ -89,8 +91,10 @@ struct PathOptions {
 struct EncodeOptions {
   std::string input;
   std::string output;
+  std::string display;  ///< empty: as rendered, else fhd-24
   std::string tone = "neutral";
   std::string exposure = "auto";
+  std::string unit = "auto";
   std::string fps;
   std::string frames;
   std::string crop;

@@ -8,6 +8,7 @@
 #include "src/core/errors.h"
 #include "src/io/json.h"
 #include "src/render/path_renderer.h"
+#include "src/walkthrough/adaptation_json.h"
 #include "src/walkthrough/statistics.h"
 
 namespace promenade::app {
@@ -114,14 +115,21 @@ Solution lightAsBefore(const LoadedJob& job, const OutputFolder& folder, const P
 }  // namespace
 
 std::optional<Preparation> preparationIn(const OutputFolder& folder, const std::string& jobHash) {
-  return fromRecord(folder.file(kFileName), jobHash, [](const nlohmann::json& root) {
+  const std::filesystem::path file = folder.file(kFileName);
+  const auto read = [&](const nlohmann::json& root) -> std::optional<Preparation> {
+    const auto adaptation = walkthrough::adaptationFrom(root.at("adaptation"), root.at("fps").get<double>());
+    if (!adaptation) return std::nullopt;
     Preparation choices{.light = {},
-                        .exposureEv = root.at("exposure_ev"),
+                        .tone = {.curve = toneFrom(root.at("tone").get<std::string>(), file.string()),
+                                 .exposureEv = root.at("exposure_ev"),
+                                 .candelasPerUnit = root.at("luminance_unit"),
+                                 .adaptation = *adaptation},
                         .secondsIndirect = root.at("seconds_indirect"),
                         .secondsChoosing = root.at("seconds_choosing")};
     if (root.contains("light")) choices.light = lightFrom(root["light"]);
     return choices;
-  });
+  };
+  return fromRecord(file, jobHash, read).value_or(std::nullopt);
 }
 
 PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int threads, Console& console) {
@@ -146,13 +154,14 @@ PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int thread
   if (known) return prepared;
   {
     const Stopwatch watch(choices.secondsChoosing);
-    choices.exposureEv = job.values.exposureEv
-                             ? *job.values.exposureEv
-                             : walkthrough::automaticExposure(job.path, job.settings.frames,
-                                                              *prepared.renderer, job.settings.size);
+    choices.tone = toneFor(job.values, job.scene, job.path, *prepared.renderer, job.settings);
   }
   nlohmann::ordered_json root = {{"job", job.hash},
-                                 {"exposure_ev", choices.exposureEv},
+                                 {"tone", nameOf(choices.tone.curve)},
+                                 {"exposure_ev", choices.tone.exposureEv},
+                                 {"luminance_unit", choices.tone.candelasPerUnit},
+                                 {"adaptation", walkthrough::adaptationJson(choices.tone)},
+                                 {"fps", job.path.framesPerSecond},
                                  {"seconds_indirect", choices.secondsIndirect},
                                  {"seconds_choosing", choices.secondsChoosing}};
   if (choices.light) root["light"] = toJson(*choices.light);

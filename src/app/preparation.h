@@ -1,5 +1,5 @@
 #pragma once
-// What is decided once for a job before its first frame: the light solution and the exposure. Kept in
+// What is decided once for a job before its first frame: the light solution and the tone mapping. Kept in
 // DIR/prepared.json, so that a job that goes on never decides twice.
 
 #include <memory>
@@ -22,7 +22,7 @@ struct LightUse {
 
 struct Preparation {
   std::optional<LightUse> light;  ///< nothing: none is used
-  double exposureEv = 0.0;
+  ToneMapping tone;
   double secondsIndirect = 0.0;
   double secondsChoosing = 0.0;
 };

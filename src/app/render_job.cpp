@@ -86,8 +86,7 @@ RenderValues renderValues(const RenderOptions& options) {
                  : walkthrough::Method::kImageBased;
   (void)choiceFrom(options.integrator, {"walkthrough", "path"}, "--integrator");
   v.display = displayNamed(options.display);
-  v.tone = toneFrom(options.tone, "--tone");
-  v.exposureEv = exposureFrom(options.exposure, "--exposure");
+  v.tone = toneOptionsFrom(options.tone, options.exposure, options.unit);
   v.threads = integerFrom(options.threads, 0, 4096, "--threads");
   v.seed = seedFrom(options.seed);
   if (!options.video.empty()) (void)io::videoFormatOf(options.video);
@@ -144,8 +143,27 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   s.probeShare = values.verifyPercent / 100.0;
   s.seed = values.seed;
   s.display = values.display;
-  s.tone = {values.tone, values.exposureEv.value_or(0.0)};
+  s.tone.curve = values.tone.curve;
   return s;
+}
+
+ToneMapping toneFor(const RenderValues& values, const Scene& scene, const paths::CameraPath& path,
+                    const Renderer& renderer, const walkthrough::Settings& settings) {
+  ToneMapping tone;
+  const ToneOptions& asked = values.tone;
+  tone.curve = asked.curve;
+  tone.exposureEv = asked.exposureEv
+                        ? *asked.exposureEv
+                        : walkthrough::automaticExposure(path, settings.frames, renderer, settings.size);
+  // Punctual lights are in candela and lux (KHR_lights_punctual), so radiance is in cd/m2.
+  const bool isPhotometric = !scene.lights.empty() && !asked.exposureEv;
+  tone.candelasPerUnit =
+      asked.candelasPerUnit.value_or(isPhotometric ? 1.0 : candelasFromExposure(tone.exposureEv));
+  if (modelsTheEye(tone.curve)) {
+    tone.adaptation =
+        walkthrough::adaptationAlong(path, settings.frames, renderer, settings.size, tone.candelasPerUnit);
+  }
+  return tone;
 }
 
 std::string jobHash(const RenderOptions& options, const walkthrough::Settings& settings, const Scene& scene,
@@ -164,8 +182,12 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
         static_cast<double>(settings.keyframeSpacing), settings.probeShare,
         static_cast<double>(d.resolution.width), static_cast<double>(d.resolution.height), d.diagonalMetres,
         d.viewingDistanceMetres, d.peakLuminance, d.blackLuminance, d.ambientIlluminance, d.screenReflectance,
-        static_cast<double>(d.transfer)}) {
+        static_cast<double>(d.transfer), d.gamma, static_cast<double>(d.signal)}) {
     f.add(value);
+  }
+  for (const glm::dvec2& c : {d.primaries.red, d.primaries.green, d.primaries.blue, d.primaries.white}) {
+    f.add(c.x);
+    f.add(c.y);
   }
   for (const auto& [name, value] : options.all) {
     if (decidesPixels(name)) {

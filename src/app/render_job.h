@@ -7,6 +7,7 @@
 
 #include "paths/camera_path.h"
 #include "src/app/options.h"
+#include "src/app/values.h"
 #include "src/scene/scene.h"
 #include "src/walkthrough/walkthrough.h"
 
@@ -23,8 +24,7 @@ struct RenderValues {
   double verifyPercent = 1.0;
   walkthrough::Method method = walkthrough::Method::kImageBased;
   DisplayModel display;
-  ToneCurve tone = ToneCurve::kNeutral;
-  std::optional<double> exposureEv;  ///< nothing: automatic
+  ToneOptions tone;
   int threads = 0;
   std::uint64_t seed = 0;
 };
@@ -39,9 +39,15 @@ struct RenderValues {
 [[nodiscard]] paths::CameraPath walkFor(const RenderOptions& options, const RenderValues& values,
                                         const Scene& scene);
 
-/// Settings of the walkthrough; exposure 0 where it is automatic.
+/// Settings of the walkthrough; of the tone mapping the curve alone.
 [[nodiscard]] walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValues& values,
                                                 const paths::CameraPath& path);
+
+/// The tone mapping of the walk: what is automatic is found in a few small frames. A pure function of the
+/// job, so that a run that goes on with it finds the same.
+[[nodiscard]] ToneMapping toneFor(const RenderValues& values, const Scene& scene,
+                                  const paths::CameraPath& path, const Renderer& renderer,
+                                  const walkthrough::Settings& settings);
 
 /// Equal for jobs whose frames are the same bit for bit: of all that decides their pixels, the program itself
 /// included.

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "src/app/chosen_tone.h"
 #include "src/app/displays.h"
 #include "src/core/errors.h"
 #include "src/io/exr_frame.h"
@@ -51,8 +52,10 @@ RenderedJob jobFrom(const Json& root, const std::string& file) {
   r.integrator = job.at("integrator").get<std::string>();
   if (const Json& spp = job.at("spp"); !spp.is_null()) r.pathsPerSample = spp.get<int>();
   r.threads = job.at("threads").get<int>();
-  r.tone = {toneFrom(job.at("tone").get<std::string>(), file + ": job.tone"),
-            job.at("exposure_ev").get<double>()};
+  r.tone.curve = toneFrom(job.at("tone").get<std::string>(), file + ": job.tone");
+  r.tone.exposureEv = job.at("exposure_ev").get<double>();
+  r.tone.candelasPerUnit = job.value("luminance_unit", candelasFromExposure(r.tone.exposureEv));
+  r.tone.adaptation = adaptationFromJson(job, file);
   r.display = job.contains("display_model") ? displayFromJson(job.at("display_model").dump(), file)
                                             : displayNamed(job.at("display").get<std::string>());
   r.wallSeconds = root.at("totals").at("seconds_wall").get<double>();

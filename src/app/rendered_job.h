@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "src/app/values.h"
-#include "src/core/display.h"
 
 namespace promenade::app {
 
@@ -34,6 +33,8 @@ struct RenderedJob {
   std::vector<Judged> segments;
 
   [[nodiscard]] std::filesystem::path frame(int index) const;
+  /// What frame `index` was shown with.
+  [[nodiscard]] FrameTone toneOf(int index) const { return tone.at(index, display); }
   /// The metric's maps of the segment; there only if the job was rendered with --maps.
   [[nodiscard]] std::filesystem::path maps(const Judged& segment) const;
 };

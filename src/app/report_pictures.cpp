@@ -53,7 +53,7 @@ FramePictures picturesOf(const RenderedJob& job, int index, const fs::path& maps
   if (frame.radiance.size() != job.size) {
     throw InputError(job.frame(index).string(), "expected a frame of the size that report.json states");
   }
-  const EncodedMap shown = encodeForDisplay(frame.radiance, job.tone);
+  const EncodedMap shown = encodeForDisplay(frame.radiance, job.toneOf(index));
   FramePictures pictures;
   pictures.index = index;
   pictures.result = io::dataUri(io::reduced(shown, size), PictureCoding::kPhoto);
@@ -109,7 +109,8 @@ Size pictureSize(const RenderedJob& job, int kinds) {
     double source = 0.0;
     for (const io::FrameFile& frame : some) {
       if (frame.radiance.size() != job.size) continue;  // told later, with its name
-      const EncodedMap shown = io::reduced(encodeForDisplay(frame.radiance, job.tone), size);
+      const EncodedMap shown =
+          io::reduced(encodeForDisplay(frame.radiance, job.toneOf(frame.metadata.frame)), size);
       photo += static_cast<double>(io::dataUri(shown, PictureCoding::kPhoto).size());
       if (frame.source.empty()) continue;
       source +=

@@ -40,8 +40,9 @@ void addReference(std::vector<FramePictures>& pictures, const RenderedJob& job, 
       throw InputError(reference.frame(frame.index).string(),
                        "expected " + sizeText(shown.size()) + ", found " + sizeText(traced.size()));
     }
-    const EncodedMap test = encodedOf(shown, viewing);
-    const EncodedMap wanted = encodedOf(traced, viewing);
+    const Shown both = shownBoth(shown, traced, viewing, frame.index);
+    const EncodedMap test = encodedOf(shown, both);
+    const EncodedMap wanted = encodedOf(traced, both);
     const VelocityMap velocity = motion.next(shown, traced, frame.index == job.frames.last);
     const aqm::Result seen = aqm::compare(displayLuminance(test, viewing.display),
                                           displayLuminance(wanted, viewing.display), velocity, settings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "src/app/printable.h"
 #include "src/core/errors.h"
@@ -108,8 +109,19 @@ Crop cropFrom(const std::string& text, const std::string& option) {
 }
 
 ToneCurve toneFrom(const std::string& text, const std::string& option) {
-  return choiceFrom(text, {"neutral", "linear"}, option) == "linear" ? ToneCurve::kLinear
-                                                                     : ToneCurve::kNeutral;
+  std::vector<std::string_view> names;
+  for (const ToneCurve curve : allToneCurves()) names.emplace_back(nameOf(curve));
+  const std::string chosen = choiceFrom(text, names, option);
+  const auto at = std::find(names.begin(), names.end(), chosen) - names.begin();
+  return allToneCurves()[static_cast<std::size_t>(at)];
+}
+
+std::optional<double> unitFrom(const std::string& text, const std::string& option) {
+  if (text == "auto") return std::nullopt;
+  const auto unit = parsed<double>(text);
+  if (!unit || !(*unit >= 1e-9 && *unit <= 1e9))
+    refuse(option, "the cd/m2 of a radiance of 1, from 1e-9 to 1e9, or 'auto'", text);
+  return *unit;
 }
 
 std::optional<double> exposureFrom(const std::string& text, const std::string& option) {
@@ -118,6 +130,19 @@ std::optional<double> exposureFrom(const std::string& text, const std::string& o
   if (!stops || !(std::abs(*stops) <= 60.0))
     refuse(option, "a number of stops from -60 to 60, or 'auto'", text);
   return *stops;
+}
+
+ToneOptions toneOptionsFrom(const std::string& tone, const std::string& exposure, const std::string& unit) {
+  const ToneOptions options{toneFrom(tone, "--tone"), exposureFrom(exposure, "--exposure"),
+                            unitFrom(unit, "--unit")};
+  if (options.candelasPerUnit && !modelsTheEye(options.curve)) {
+    throw InputError("--unit: only the tones of the eye ask for it, '" + tone + "' was chosen");
+  }
+  if (options.candelasPerUnit && options.exposureEv) {
+    throw InputError(
+        "--unit, --exposure: expected one of them, found both: either says how bright the world is");
+  }
+  return options;
 }
 
 std::string choiceFrom(const std::string& text, std::span<const std::string_view> choices,

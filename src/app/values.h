@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "src/core/display.h"
 #include "src/core/image.h"
+#include "src/core/tone_mapping.h"
 
 namespace promenade::app {
 
@@ -37,11 +37,24 @@ struct Crop {
 /// "WxH+X+Y"
 [[nodiscard]] Crop cropFrom(const std::string& text, const std::string& option);
 
-/// "neutral" or "linear"
+/// One of allToneCurves(), by its name.
 [[nodiscard]] ToneCurve toneFrom(const std::string& text, const std::string& option);
+
+/// cd/m2 that a radiance of 1 stands for, or nothing for "auto".
+[[nodiscard]] std::optional<double> unitFrom(const std::string& text, const std::string& option);
 
 /// A number of stops, or nothing for "auto".
 [[nodiscard]] std::optional<double> exposureFrom(const std::string& text, const std::string& option);
+
+struct ToneOptions {
+  ToneCurve curve = ToneCurve::kNeutral;
+  std::optional<double> exposureEv;       ///< nothing: automatic
+  std::optional<double> candelasPerUnit;  ///< nothing: automatic
+};
+/// --tone, --exposure, --unit together: the unit is for tones of the eye, and a given exposure already says
+/// what it is (candelasFromExposure()).
+[[nodiscard]] ToneOptions toneOptionsFrom(const std::string& tone, const std::string& exposure,
+                                          const std::string& unit);
 
 /// One of `choices` (the text itself); names the nearest otherwise.
 [[nodiscard]] std::string choiceFrom(const std::string& text, std::span<const std::string_view> choices,

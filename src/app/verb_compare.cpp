@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "aqm/metric.h"
+#include "src/app/chosen_tone.h"
 #include "src/app/compare_metrics.h"
 #include "src/app/compare_region.h"
 #include "src/app/compare_report.h"
 #include "src/app/compare_settings.h"
 #include "src/app/displays.h"
-#include "src/app/exposure.h"
 #include "src/app/folders.h"
 #include "src/app/heatmap.h"
 #include "src/app/threads.h"
@@ -62,6 +62,7 @@ struct Pair {
   const io::ImageFile& reference;
   const std::filesystem::path& testFile;
   const std::filesystem::path& referenceFile;
+  const Shown& shown;
 };
 
 struct Frame {
@@ -70,16 +71,16 @@ struct Frame {
   int index;
 };
 
-EncodedMap pictureOf(const io::ImageFile& image, const Viewing& viewing, const LuminanceMap& seen,
-                     float white) {
-  return viewing.absolute ? greyPicture(seen, white) : encodedOf(image, viewing);
+EncodedMap pictureOf(const io::ImageFile& image, const Viewing& viewing, const Shown& shown,
+                     const LuminanceMap& seen, float white) {
+  return viewing.absolute ? greyPicture(seen, white) : encodedOf(image, shown);
 }
 
 // A metric of visibility, and its files.
 FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityMap& velocity,
                        const aqm::Settings& settings, const Frame& frame, const Mask& excluded) {
-  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
-  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
+  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.shown, pair.testFile);
+  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.shown, pair.referenceFile);
   const aqm::Result result = aqm::compare(test, reference, velocity, settings);
   const FrameDifference difference = visibility(result, excluded);
   if (!frame.options.maps.empty()) {
@@ -89,8 +90,8 @@ FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityM
   if (!frame.options.heatmap.empty()) {
     const float white =
         std::max(*std::ranges::max_element(test.pixels()), *std::ranges::max_element(reference.pixels()));
-    const EncodedMap shownTest = pictureOf(pair.test, viewing, test, white);
-    const EncodedMap shownReference = pictureOf(pair.reference, viewing, reference, white);
+    const EncodedMap shownTest = pictureOf(pair.test, viewing, pair.shown, test, white);
+    const EncodedMap shownReference = pictureOf(pair.reference, viewing, pair.shown, reference, white);
     char title[160];
     std::snprintf(title, sizeof(title),
                   "Frame %d: %.2f%% of the pixels visibly different. %s, %.40s, %.1f pixels a degree",
@@ -129,9 +130,9 @@ void refuseWhatIsIgnored(const CompareOptions& options, Metric metric) {
 // A metric that is one number.
 FrameDifference measured(const Pair& pair, const Viewing& viewing, Metric metric, const Mask& excluded) {
   if (findingOf(metric) == Finding::kSquaredError && !viewing.absolute)
-    return squaredError(encodedOf(pair.test, viewing), encodedOf(pair.reference, viewing), excluded);
-  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.testFile);
-  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.referenceFile);
+    return squaredError(encodedOf(pair.test, pair.shown), encodedOf(pair.reference, pair.shown), excluded);
+  const LuminanceMap test = luminanceOf(pair.test, viewing, pair.shown, pair.testFile);
+  const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.shown, pair.referenceFile);
   return findingOf(metric) == Finding::kDistance
              ? modelDistance(metric, test, reference, viewing.pixelsPerDegree)
              : squaredError(test, reference, excluded);
@@ -156,7 +157,7 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   if (!options.ambient.empty()) {
     viewing.display.ambientIlluminance = numberFrom(options.ambient, 0.0, 1e6, "--ambient");
   }
-  viewing.tone.curve = toneFrom(options.tone, "--tone");
+  const ToneOptions toneOptions = toneOptionsFrom(options.tone, options.exposure, options.unit);
   viewing.absolute = options.absolute;
   viewing.pixelsPerDegree = options.ppd.empty() ? viewing.display.pixelsPerDegree()
                                                 : numberFrom(options.ppd, 1.0, 10'000.0, "--ppd");
@@ -182,7 +183,11 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   }
   viewing.framesPerSecond = std::max(framesPerSecondOf(options, sequences[0], test),
                                      framesPerSecondOf(options, sequences[1], reference));
-  viewing.tone.exposureEv = options.absolute ? 0.0 : chosenExposure(options.exposure, sequences);
+  if (!options.absolute) {
+    ChosenTone chosen = chosenTone(toneOptions, sequences, viewing.framesPerSecond);
+    viewing.tone = std::move(chosen.mapping);
+    viewing.firstFrame = chosen.firstFrame;
+  }
   difference.pixelsPerDegree = viewing.pixelsPerDegree;
   difference.framesPerSecond = viewing.framesPerSecond;
   if (!options.maps.empty()) makeFolder(options.maps);
@@ -202,7 +207,8 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
                        reference.file(index).string() + " is " + sizeText(b->size()) +
                        ": only images of equal size can be compared");
     }
-    const Pair pair{*a, *b, test.file(index), reference.file(index)};
+    const Shown shown = shownBoth(*a, *b, viewing, index);
+    const Pair pair{*a, *b, test.file(index), reference.file(index), shown};
     const Mask& excluded = region.next(a->size());
     FrameDifference frame;
     if (showsVisibility) {

@@ -98,21 +98,18 @@ ExitStatus runConverge(const ConvergeOptions& options, Console& console) {
 
   const render::PathSettings paths{
       .seed = values.seed, .threads = threads.count(), .checkpoint = [] { throwIfInterrupted(); }};
-  LuminanceMap converged;
+  walkthrough::Converged converged;
   {
     // Another seed, so that no solution shares its noise.
     render::PathSettings other = paths;
     other.seed = values.seed + 1;
     const auto renderer = render::makePathRenderer(scene, other);
-    if (!values.exposureEv) {
-      settings.tone.exposureEv =
-          walkthrough::automaticExposure(path, settings.frames, *renderer, settings.size);
-    }
+    settings.tone = toneFor(values, scene, path, *renderer, settings);
     walkthrough::renderProgressively(
         *renderer, camera, settings, convergedPaths, [&](const Frame& image, int count, double) {
           console.progress()({"converged image: paths", static_cast<std::uint64_t>(count),
                               static_cast<std::uint64_t>(convergedPaths)});
-          if (count == convergedPaths) converged = seenOnDisplay(image, settings);
+          if (count == convergedPaths) converged = convergedTo(image, settings);
         });
     console.endProgress();
   }

@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <span>
 
-#include "src/app/exposure.h"
+#include "src/app/chosen_tone.h"
+#include "src/app/displays.h"
 #include "src/app/values.h"
 #include "src/app/verbs.h"
 #include "src/core/errors.h"
@@ -37,6 +38,11 @@ double framesPerSecondOf(const EncodeOptions& options, const io::Sequence& seque
   return 25.0;
 }
 
+DisplayModel displayOf(const EncodeOptions& options, const io::Sequence& sequence) {
+  if (!options.display.empty()) return displayNamed(options.display);
+  return renderedDisplay(sequence.argument).value_or(displayNamed("fhd-24"));
+}
+
 }  // namespace
 
 ExitStatus runEncode(const EncodeOptions& options, Console& console) {
@@ -45,12 +51,13 @@ ExitStatus runEncode(const EncodeOptions& options, Console& console) {
   io::SequenceReader reader(sequence);
   const Frames frames = options.frames.empty() ? Frames{0, reader.frameCount() - 1}
                                                : framesFrom(options.frames, reader.frameCount(), "--frames");
-  ToneMapping tone;
-  tone.curve = toneFrom(options.tone, "--tone");
-  tone.exposureEv = chosenExposure(options.exposure, std::span(&sequence, 1));
   std::optional<Crop> crop;
   if (!options.crop.empty()) crop = cropFrom(options.crop, "--crop");
-  const io::FrameRate rate = io::frameRateFrom(framesPerSecondOf(options, sequence, reader));
+  const double framesPerSecond = framesPerSecondOf(options, sequence, reader);
+  const io::FrameRate rate = io::frameRateFrom(framesPerSecond);
+  const DisplayModel display = displayOf(options, sequence);
+  const ChosenTone tone = chosenTone(toneOptionsFrom(options.tone, options.exposure, options.unit),
+                                     std::span(&sequence, 1), framesPerSecond);
 
   std::optional<io::VideoWriter> writer;
   const ProgressCallback progress = console.progress();
@@ -61,8 +68,9 @@ ExitStatus runEncode(const EncodeOptions& options, Console& console) {
     if (index < frames.first) continue;
     progress({"frames", static_cast<std::uint64_t>(index - frames.first), total});
     const auto* radiance = std::get_if<RadianceMap>(&image->colour);
-    EncodedMap encoded =
-        radiance != nullptr ? encodeForDisplay(*radiance, tone) : std::get<EncodedMap>(image->colour).clone();
+    EncodedMap encoded = radiance != nullptr
+                             ? encodeForDisplay(*radiance, tone.mapping.at(tone.firstFrame + index, display))
+                             : std::get<EncodedMap>(image->colour).clone();
     if (crop) {
       if (crop->x > encoded.width() - crop->size.width || crop->y > encoded.height() - crop->size.height) {
         throw InputError("--crop: expected a part of the frames, which are " +

@@ -63,7 +63,7 @@ ExitStatus runWork(const WorkOptions& options, Console& console) {
 
   const PreparedJob prepared = prepare(job, folder, threads.count(), console);
   walkthrough::Settings settings = job.settings;
-  settings.tone.exposureEv = prepared.choices.exposureEv;
+  settings.tone = prepared.choices.tone;
   TaskRecord record;
   record.loadSeconds = job.secondsLoading + prepared.secondsBuilding;
   if (task.kind != TaskKind::kPrepare) makeFolder(folder.file("keyframes"));

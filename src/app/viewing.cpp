@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "ibr/flow.h"
@@ -10,15 +11,25 @@
 
 namespace promenade::app {
 
-EncodedMap encodedOf(const io::ImageFile& image, const Viewing& viewing) {
+Shown shownBoth(const io::ImageFile& a, const io::ImageFile& b, const Viewing& viewing, int index) {
+  FrameTone tone = viewing.tone.at(viewing.firstFrame + index, viewing.display);
+  const auto* one = std::get_if<RadianceMap>(&a.colour);
+  const auto* other = std::get_if<RadianceMap>(&b.colour);
+  Surroundings surroundings;
+  if (one != nullptr && other != nullptr) surroundings = tone.around({one, other});
+  if ((one == nullptr) != (other == nullptr)) surroundings = tone.around({one != nullptr ? one : other});
+  return {std::move(tone), std::move(surroundings)};
+}
+
+EncodedMap encodedOf(const io::ImageFile& image, const Shown& shown) {
   if (const auto* radiance = std::get_if<RadianceMap>(&image.colour))
-    return encodeForDisplay(*radiance, viewing.tone);
+    return encodeForDisplay(*radiance, shown.tone, shown.surroundings);
   return std::get<EncodedMap>(image.colour).clone();
 }
 
-LuminanceMap luminanceOf(const io::ImageFile& image, const Viewing& viewing,
+LuminanceMap luminanceOf(const io::ImageFile& image, const Viewing& viewing, const Shown& shown,
                          const std::filesystem::path& file) {
-  if (!viewing.absolute) return displayLuminance(encodedOf(image, viewing), viewing.display);
+  if (!viewing.absolute) return displayLuminance(encodedOf(image, shown), viewing.display);
   if (image.luminance.empty()) {
     throw InputError(file.string(), "--absolute: expected a channel Y (luminance in cd/m2), found none");
   }

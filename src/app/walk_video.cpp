@@ -1,7 +1,6 @@
 #include "src/app/walk_video.h"
 
 #include "src/app/interrupt.h"
-#include "src/core/display.h"
 #include "src/io/exr_frame.h"
 #include "src/walkthrough/statistics.h"
 
@@ -13,6 +12,7 @@ WalkVideo::WalkVideo(const std::filesystem::path& file, const OutputFolder& fold
                      const walkthrough::Settings& settings, double framesPerSecond)
     : folder_(folder),
       tone_(settings.tone),
+      display_(settings.display),
       walk_(settings.frames),
       video_(file, settings.size, io::frameRateFrom(framesPerSecond)),
       next_(settings.frames.first) {}
@@ -20,7 +20,7 @@ WalkVideo::WalkVideo(const std::filesystem::path& file, const OutputFolder& fold
 void WalkVideo::add(int frame, const RadianceMap& radiance) {
   const Stopwatch watch(seconds_);
   addFromFolder(frame);
-  video_.write(encodeForDisplay(io::asStored(radiance), tone_));
+  write(frame, io::asStored(radiance));
   next_ = frame + 1;
 }
 
@@ -30,10 +30,14 @@ void WalkVideo::finish() {
   video_.finish();
 }
 
+void WalkVideo::write(int frame, const RadianceMap& radiance) {
+  video_.write(encodeForDisplay(radiance, tone_.at(frame, display_)));
+}
+
 void WalkVideo::addFromFolder(int end) {
   for (; next_ < end; ++next_) {
     throwIfInterrupted();
-    video_.write(encodeForDisplay(io::readFrame(folder_.frame(next_)).radiance, tone_));
+    write(next_, io::readFrame(folder_.frame(next_)).radiance);
   }
 }
 

@@ -24,9 +24,11 @@ class WalkVideo {
 
  private:
   void addFromFolder(int end);
+  void write(int frame, const RadianceMap& radiance);
 
   const OutputFolder& folder_;
   ToneMapping tone_;
+  DisplayModel display_;
   walkthrough::FrameRange walk_;
   io::VideoWriter video_;
   int next_;  ///< the frame it waits for

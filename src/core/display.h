@@ -1,10 +1,11 @@
 #pragma once
-// From radiance to light on the viewer's retina. The frames a viewer gets and the frames the metric judges go
-// through the same ToneMapping and the same DisplayModel.
+// What a display makes of code values: light on the viewer's retina. The frames a viewer gets and the frames
+// the metric judges are shown by the same DisplayModel.
 
 #include <string>
 
 #include "src/core/image.h"
+#include "src/core/primaries.h"
 
 namespace promenade {
 
@@ -15,25 +16,13 @@ namespace promenade {
 [[nodiscard]] float encodeSrgb(float linear);
 [[nodiscard]] float decodeSrgb(float encoded);
 
-enum class ToneCurve {
-  kLinear,   ///< clipped at 1
-  kNeutral,  ///< Khronos PBR Neutral: identity up to 0.8 less the Fresnel offset, highlights compressed, hue
-             ///< kept
+enum class TransferFunction { kSrgb, kGamma, kLinear };
+
+/// Which code values the pictures for a display are given.
+enum class Signal {
+  kSrgb,    ///< those of sRGB, whatever the display makes of them
+  kNative,  ///< its own: converted to its primaries and by its transfer function
 };
-
-/// One global mapping for a whole walkthrough: every frame, and both frames of every comparison, use the
-/// same.
-struct ToneMapping {
-  ToneCurve curve = ToneCurve::kNeutral;
-  double exposureEv = 0.0;  ///< radiance is multiplied by 2^exposureEv before the curve
-};
-
-/// The display's linear drive signal in [0, 1] for a radiance. Not-a-number and negative radiance become 0.
-[[nodiscard]] Rgb toneMap(const Rgb& radiance, const ToneMapping& tone);
-/// toneMap() followed by the sRGB transfer function.
-[[nodiscard]] EncodedMap encodeForDisplay(const RadianceMap& radiance, const ToneMapping& tone);
-
-enum class TransferFunction { kSrgb, kGamma22, kLinear };
 
 struct DisplayModel {
   std::string name;
@@ -45,11 +34,26 @@ struct DisplayModel {
   double ambientIlluminance = 50.0;    ///< lux that falls on the screen
   double screenReflectance = 0.01;     ///< diffuse: reflected luminance is E * reflectance / pi
   TransferFunction transfer = TransferFunction::kSrgb;
+  double gamma = 2.2;  ///< of TransferFunction::kGamma
+  Primaries primaries;
+  Signal signal = Signal::kSrgb;
 
   /// Pixels per degree of visual angle at the centre of the screen.
   [[nodiscard]] double pixelsPerDegree() const;
-  /// Luminance of an encoded value, cd/m2: black + reflected + (peak - black) * Y(decoded), at least 1e-4.
+  /// The linear drive of one light in [0, 1] for a code value in [0, 1], and back; clamped.
+  [[nodiscard]] float decoded(float code) const;
+  [[nodiscard]] float encoded(float drive) const;
+  /// cd/m2 of the ambient light on the screen, and with it of a black pixel.
+  [[nodiscard]] double reflectedLuminance() const;
+  [[nodiscard]] double darkLuminance() const { return blackLuminance + reflectedLuminance(); }
+  /// cd/m2 that an eye at the display is adapted to: half of its white (Ward 1994).
+  [[nodiscard]] double adaptationLuminance() const { return peakLuminance / 2.0; }
+  /// The shares of its three lights in the luminance of its white.
+  [[nodiscard]] Rgb luminanceWeights() const;
+  /// Luminance of an encoded value, cd/m2: dark + (peak - black) * Y(decoded), at least 1e-4.
   [[nodiscard]] float luminanceOf(const Rgb& encoded) const;
+  /// The same for many values: `weights` are luminanceWeights().
+  [[nodiscard]] float luminanceOf(const Rgb& encoded, const Rgb& weights) const;
 };
 
 /// What a viewer's eye gets from an encoded image on this display.

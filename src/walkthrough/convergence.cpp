@@ -1,5 +1,7 @@
 #include "src/walkthrough/convergence.h"
 
+#include <utility>
+
 #include "src/walkthrough/seen.h"
 #include "src/walkthrough/stopping.h"
 
@@ -24,8 +26,14 @@ void renderProgressively(const Renderer& renderer, const Camera& camera, const S
   }
 }
 
+Converged convergedTo(const Frame& frame, const Settings& settings) {
+  Surroundings surroundings = surroundingsOf(frame, settings.frames.first, settings);
+  LuminanceMap seen = seenOnDisplay(frame, settings.frames.first, settings, surroundings);
+  return {std::move(seen), std::move(surroundings)};
+}
+
 std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Camera& camera,
-                                            const Settings& settings, const LuminanceMap& converged,
+                                            const Settings& settings, const Converged& converged,
                                             int mostPaths, double secondsBefore) {
   const auto difference = [&](const LuminanceMap& a, const LuminanceMap& b) {
     return aqm::compare(a, b, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()});
@@ -34,10 +42,10 @@ std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Came
   LuminanceMap afterHalf;
   renderProgressively(
       renderer, camera, settings, mostPaths, [&](const Frame& frame, int paths, double seconds) {
-        LuminanceMap now = seenOnDisplay(frame, settings);
+        LuminanceMap now = seenOnDisplay(frame, settings.frames.first, settings, converged.surroundings);
         ConvergencePoint point{secondsBefore + seconds,
                                paths,
-                               aqm::percentVisible(difference(now, converged).probability, Mask()),
+                               aqm::percentVisible(difference(now, converged.seen).probability, Mask()),
                                {}};
         if (!afterHalf.empty())
           point.predictedPercent = predictedPercent(difference(now, afterHalf).pooledJnd);

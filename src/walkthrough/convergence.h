@@ -26,11 +26,18 @@ using AfterPaths = std::function<void(const Frame&, int paths, double seconds)>;
 void renderProgressively(const Renderer& renderer, const Camera& camera, const Settings& settings,
                          int mostPaths, const AfterPaths& after);
 
-/// The curve of one solution against `converged`, as seen on the display. `secondsBefore`: what it took
-/// before the first path (a light solution).
+/// The picture that others converge to, on the display in frame settings.frames.first.
+struct Converged {
+  LuminanceMap seen;
+  Surroundings surroundings;  ///< its own, which those that are compared with it share
+};
+[[nodiscard]] Converged convergedTo(const Frame& frame, const Settings& settings);
+
+/// The curve of one solution against `converged`, as seen on the display in frame settings.frames.first.
+/// `secondsBefore`: what it took before the first path (a light solution).
 [[nodiscard]] std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Camera& camera,
                                                           const Settings& settings,
-                                                          const LuminanceMap& converged, int mostPaths,
+                                                          const Converged& converged, int mostPaths,
                                                           double secondsBefore);
 
 }  // namespace promenade::walkthrough

@@ -1,5 +1,5 @@
-// Automatic exposure (Reinhard, Stark, Shirley, Ferwerda 2002, eq. 1 and 2): the log-average luminance
-// becomes middle grey.
+// What is known of a walk's light before it is rendered, from small frames along it. Automatic exposure
+// (Reinhard, Stark, Shirley, Ferwerda 2002, eq. 1 and 2): the log-average luminance becomes middle grey.
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +47,22 @@ double automaticExposure(const paths::CameraPath& path, FrameRange frames, const
     for (const Rgb& mean : means.pixels()) blocks.push_back(luminance(mean));
   }
   return exposureOf(std::move(blocks));
+}
+
+AdaptationCurve adaptationAlong(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
+                                Size size, double candelasPerUnit) {
+  constexpr int kColumns = 64;  // of foveal parts
+  constexpr int kBlock = 2;     // samples along a part's edge
+  constexpr int kPaths = 4;     // a part has four times as many
+  const int rows =
+      std::clamp(static_cast<int>(std::lround(double(kColumns) * size.height / size.width)), 1, 4 * kColumns);
+  std::vector<View> views;
+  for (const int index : framesToView(frames.first, frames.last, path.framesPerSecond)) {
+    Frame frame = unshaded(renderer.visibility(path.camera(index, {kColumns * kBlock, rows * kBlock})));
+    (void)renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = kPaths}, index);
+    views.push_back(viewOf(index, fovealLuminances(combinedRadiance(frame), kColumns), candelasPerUnit));
+  }
+  return {std::move(views), path.framesPerSecond};
 }
 
 }  // namespace promenade::walkthrough

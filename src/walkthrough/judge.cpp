@@ -44,10 +44,16 @@ struct Look {
   aqm::Result metric;
 };
 
-Look compareAsSeen(const ComparedPair& pair, const VelocityMap& velocity, const Settings& settings) {
+Look compareAsSeen(const ComparedPair& pair, int frame, const VelocityMap& velocity,
+                   const Settings& settings) {
+  // Both are what is seen at the same instant, by an eye adapted alike.
+  const FrameTone tone = settings.tone.at(frame, settings.display);
+  const RadianceMap fromFirst = resolveRadiance(pair.fromFirst, settings.supersample);
+  const RadianceMap fromLast = resolveRadiance(pair.fromLast, settings.supersample);
+  const Surroundings surroundings = tone.around({&fromFirst, &fromLast});
   Look look;
-  look.fromFirst = encodeForDisplay(resolveRadiance(pair.fromFirst, settings.supersample), settings.tone);
-  look.fromLast = encodeForDisplay(resolveRadiance(pair.fromLast, settings.supersample), settings.tone);
+  look.fromFirst = encodeForDisplay(fromFirst, tone, surroundings);
+  look.fromLast = encodeForDisplay(fromLast, tone, surroundings);
   look.metric = aqm::compare(displayLuminance(look.fromFirst, settings.display),
                              displayLuminance(look.fromLast, settings.display), velocity,
                              aqm::Settings{settings.display.pixelsPerDegree()});
@@ -138,7 +144,7 @@ Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const Ve
                       const Renderer& renderer, const Settings& settings) {
   const int factor = settings.supersample;
   ComparedPair pair = comparedPair(warped, ItemSet());
-  Look look = compareAsSeen(pair, velocity, settings);
+  Look look = compareAsSeen(pair, segment.middle(), velocity, settings);
 
   const ItemBuffer item = resolveVisibility(warped.target, factor).item;
   const auto judged = [&] {
@@ -149,11 +155,11 @@ Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const Ve
   judgement.items = judged();
   if (!judgement.items.failing.empty()) {
     pair = diffuseCompared(std::move(pair), warped, judgement.items.failing);
-    look = compareAsSeen(pair, velocity, settings);
+    look = compareAsSeen(pair, segment.middle(), velocity, settings);
     judgement.items.matt = judged().failing;
     // A mask laid over the finished map would let the failing items speak through filters and pooling.
     pair = comparedPair(warped, judgement.items.failing);
-    look = compareAsSeen(pair, velocity, settings);
+    look = compareAsSeen(pair, segment.middle(), velocity, settings);
   }
   Mask excluded = resolveMask(pair.excluded, factor);
 

@@ -3,12 +3,29 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "src/walkthrough/adaptation_json.h"
 #include "src/walkthrough/statistics_json.h"
 
 namespace promenade::walkthrough {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string transferOf(const DisplayModel& d) {
+  switch (d.transfer) {
+    case TransferFunction::kSrgb:
+      return "srgb";
+    case TransferFunction::kGamma:
+      return "gamma" + Json(d.gamma).dump();
+    case TransferFunction::kLinear:
+      return "linear";
+  }
+  return "";
+}
+
+Json chromaticity(const glm::dvec2& c) {
+  return {c.x, c.y};
+}
 
 // As a display file has it (docs/formats.md).
 Json displayJson(const DisplayModel& d) {
@@ -20,9 +37,13 @@ Json displayJson(const DisplayModel& d) {
           {"black", d.blackLuminance},
           {"ambient", d.ambientIlluminance},
           {"reflectance", d.screenReflectance},
-          {"transfer", d.transfer == TransferFunction::kSrgb     ? "srgb"
-                       : d.transfer == TransferFunction::kLinear ? "linear"
-                                                                 : "gamma2.2"}};
+          {"transfer", transferOf(d)},
+          {"primaries",
+           {{"red", chromaticity(d.primaries.red)},
+            {"green", chromaticity(d.primaries.green)},
+            {"blue", chromaticity(d.primaries.blue)},
+            {"white", chromaticity(d.primaries.white)}}},
+          {"signal", d.signal == Signal::kNative ? "native" : "srgb"}};
 }
 
 Json jobJson(const Report& report) {
@@ -47,8 +68,10 @@ Json jobJson(const Report& report) {
           {"light", job.light},
           {"spp", job.pathsPerSample ? Json(*job.pathsPerSample) : Json()},
           {"spp_automatic", !job.pathsPerSample},
-          {"tone", s.tone.curve == ToneCurve::kLinear ? "linear" : "neutral"},
+          {"tone", nameOf(s.tone.curve)},
           {"exposure_ev", s.tone.exposureEv},
+          {"luminance_unit", s.tone.candelasPerUnit},
+          {"adaptation", adaptationJson(s.tone)},
           {"pixels_per_degree", s.display.pixelsPerDegree()},
           {"display_model", displayJson(s.display)},
           {"command", job.command},

@@ -5,7 +5,18 @@
 
 namespace promenade::walkthrough {
 
-/// The light of the samples on the display: resolved, tone mapped, cd/m2. settings.size pixels.
-[[nodiscard]] LuminanceMap seenOnDisplay(const Frame& samples, const Settings& settings);
+/// A picture of the walk's frame `index` (settings.size pixels) on the display, cd/m2.
+[[nodiscard]] LuminanceMap seenOnDisplay(const RadianceMap& picture, int index, const Settings& settings);
+
+/// The same of its samples, resolved to settings.size pixels.
+[[nodiscard]] LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& settings);
+
+/// The same of one that is compared with others of the same frame: with surroundings (chiu.h) that are
+/// theirs, too.
+[[nodiscard]] LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& settings,
+                                         const Surroundings& surroundings);
+
+/// Those of the samples' picture.
+[[nodiscard]] Surroundings surroundingsOf(const Frame& samples, int index, const Settings& settings);
 
 }  // namespace promenade::walkthrough

@@ -84,14 +84,16 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
   Mask open = trace(mask, {0, rule.firstPaths});
   spent.mostPaths = rule.firstPaths;
   if (!isAnyOpen(open)) return spent;
-  LuminanceMap afterHalf = seenOnDisplay(frame, settings);
+  // One for all that is compared here; the means that it is made of have little noise.
+  const Surroundings surroundings = surroundingsOf(frame, frameIndex, settings);
+  LuminanceMap afterHalf = seenOnDisplay(frame, frameIndex, settings, surroundings);
   JndMap predicted(settings.size);
   for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnyOpen(open); paths *= 2) {
     Mask goOn = trace(open, {paths, paths});
     spent.mostPaths = 2 * paths;
     spent.openTiles = 0;
     const Stopwatch watch(seconds.metric);
-    LuminanceMap afterAll = seenOnDisplay(frame, settings);
+    LuminanceMap afterAll = seenOnDisplay(frame, frameIndex, settings, surroundings);
     const aqm::Result difference =
         aqm::compare(afterAll, afterHalf, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()});
     tiles.forEach([&](int left, int top, int right, int bottom) {

@@ -11,6 +11,7 @@
 #include "src/core/resolve.h"
 #include "src/walkthrough/contrast_error.h"
 #include "src/walkthrough/inbetween.h"
+#include "src/walkthrough/seen.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -43,7 +44,7 @@ WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const 
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 
-LuminanceMap seen(const WarpedMiddle& middle, const Settings& settings) {
+LuminanceMap seen(const WarpedMiddle& middle, int frameIndex, const Settings& settings) {
   RadianceMap radiance = combinedRadiance(middle.frame);
   glm::dvec3 sum(0.0);
   double count = 0.0;
@@ -56,29 +57,32 @@ LuminanceMap seen(const WarpedMiddle& middle, const Settings& settings) {
   for (std::size_t i = 0; i < radiance.pixels().size(); ++i) {
     if (middle.traced.pixels()[i] != 0) radiance.pixels()[i] = mean;
   }
-  return displayLuminance(encodeForDisplay(resolveRadiance(radiance, settings.supersample), settings.tone),
-                          settings.display);
+  return seenOnDisplay(resolveRadiance(radiance, settings.supersample), frameIndex, settings);
 }
 
 /// What the display makes of single samples, cd/m2.
-LuminanceMap luminanceAt(const Frame& frame, const std::vector<Probe>& probes, const Settings& settings) {
+LuminanceMap luminanceAt(const Frame& frame, const std::vector<Probe>& probes, int frameIndex,
+                         const Surroundings& surroundings, const Settings& settings) {
   RadianceMap radiance(static_cast<int>(probes.size()), 1);
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const auto [x, y, area] = probes[i];
-    radiance.pixels()[i] = frame.diffuse(x, y) + frame.viewDependent(x, y);
+    const glm::vec2 pixel = (glm::vec2(x, y) + 0.5f) / static_cast<float>(settings.supersample);
+    radiance.pixels()[i] = surroundings.scaleAt(pixel) * (frame.diffuse(x, y) + frame.viewDependent(x, y));
   }
-  return displayLuminance(encodeForDisplay(radiance, settings.tone), settings.display);
+  return displayLuminance(encodePoints(radiance, settings.tone.at(frameIndex, settings.display)),
+                          settings.display);
 }
 
 std::vector<ProbeError> traceProbes(Frame& warped, const std::vector<Probe>& probes, int frameIndex,
                                     const Renderer& renderer, const Settings& settings) {
-  const LuminanceMap before = luminanceAt(warped, probes, settings);
+  const Surroundings surroundings = surroundingsOf(warped, frameIndex, settings);
+  const LuminanceMap before = luminanceAt(warped, probes, frameIndex, surroundings, settings);
   const Size size = warped.diffuse.size();
   Mask mask(size);
   for (const Probe& probe : probes) mask(probe.x, probe.y) = 1;
   Frame traced{std::move(warped.visibility), RadianceMap(size), RadianceMap(size), SourceMap(size)};
   renderer.retrace(traced, mask, SampleSource::kTraced, frameIndex);
-  const LuminanceMap truth = luminanceAt(traced, probes, settings);
+  const LuminanceMap truth = luminanceAt(traced, probes, frameIndex, surroundings, settings);
   warped.visibility = std::move(traced.visibility);
 
   std::vector<ProbeError> errors;
@@ -170,7 +174,7 @@ Verification verifyMiddle(const Middle& middle, const Renderer& renderer, const 
   Mask excluded;
   const auto look = [&] {
     excluded = resolveMask(warped.traced, settings.supersample);
-    return compare(seen(warped, settings),
+    return compare(seen(warped, middle.frameIndex, settings),
                    contrastErrors(size, remaining(errors, probes, warped.traced), spacing), excluded,
                    middle.velocity, settings);
   };

@@ -13,6 +13,7 @@
 #include "src/core/display.h"
 #include "src/core/progress.h"
 #include "src/core/renderer.h"
+#include "src/core/tone_mapping.h"
 #include "src/walkthrough/plan.h"
 #include "src/walkthrough/statistics.h"
 
@@ -131,6 +132,11 @@ Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, 
 /// exposureOf() the blocks of a few small frames spread over the walk: one exposure for all of it.
 [[nodiscard]] double automaticExposure(const paths::CameraPath& path, FrameRange frames,
                                        const Renderer& renderer, Size size);
+
+/// What the eyes adapt to on the walk: views of a few small frames (framesToView()), known before the walk is
+/// rendered and the same whenever it is. `candelasPerUnit`: cd/m2 of a radiance of 1.
+[[nodiscard]] AdaptationCurve adaptationAlong(const paths::CameraPath& path, FrameRange frames,
+                                              const Renderer& renderer, Size size, double candelasPerUnit);
 
 /// Upper bound of the bytes that renderWalkthrough holds at once for these settings (scene and solution not
 /// counted).

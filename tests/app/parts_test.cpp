@@ -81,6 +81,33 @@ TEST(Displays, MayBeDescribedInJson) {
   expectRefused([] { (void)displayFromJson("[]", "d.json"); }, "expected a JSON object");
 }
 
+TEST(Displays, MayHaveAGammaAndPrimariesOfTheirOwn) {
+  const DisplayModel d = displayFromJson(
+      R"({"transfer":"gamma2.35","signal":"native",
+          "primaries":{"red":[0.625,0.34],"green":[0.28,0.595],"blue":[0.155,0.07],"white":[0.283,0.298]}})",
+      "d.json");
+  EXPECT_EQ(d.transfer, TransferFunction::kGamma);
+  EXPECT_EQ(d.gamma, 2.35);
+  EXPECT_EQ(d.signal, Signal::kNative);
+  EXPECT_EQ(d.primaries.green, glm::dvec2(0.28, 0.595));
+  EXPECT_EQ(displayNamed("crt-100").gamma, 2.2);
+  const auto refused = [](const std::string& json, const std::string& why) {
+    expectRefused([&] { (void)displayFromJson(json, "d.json"); }, "d.json: " + why);
+  };
+  refused(R"({"transfer":"gamma0.5"})",
+          "transfer: expected 'srgb', 'linear' or 'gamma2.2', with any gamma from 1 to 4");
+  refused(R"({"transfer":"gamma2.2x"})", "transfer: expected");
+  refused(R"({"transfer":2.2})", "transfer: expected");
+  refused(R"({"signal":"own"})", "signal: expected 'srgb' or 'native'");
+  refused(R"({"primaries":[1,2]})", "primaries: expected an object");
+  refused(R"({"primaries":{"red":[0.6,0.3]}})", "primaries: there is no green");
+  refused(R"({"primaries":{"rot":[0.6,0.3]}})", "primaries: unknown key 'rot'; did you mean 'red'?");
+  refused(R"({"primaries":{"red":[0.6],"green":[0.3,0.6],"blue":[0.15,0.06],"white":[0.31,0.33]}})",
+          "primaries.red: expected a chromaticity [x, y]");
+  refused(R"({"primaries":{"red":[0.6,0.3],"green":[0.3,0.6],"blue":[0.15,0.06],"white":[0.6,0.39]}})",
+          "primaries: expected red, green and blue of a triangle with white inside of it");
+}
+
 TEST(Machine, RefusesMoreMemoryThanThereIsWithBothNumbers) {
   EXPECT_NO_THROW(requireMemory(8e9, 8e9));
   expectRefused([] { requireMemory(9.24e12, 8e9); }, "need 9240.0 GB of memory and this machine has 8.0 GB");

@@ -50,7 +50,18 @@ TEST(Values, PairsCropsExposureAndChoices) {
   EXPECT_EQ(exposureFrom("-1.5", "--exposure"), -1.5);
   expectRefused([] { (void)exposureFrom("bright", "--exposure"); }, "or 'auto', found 'bright'");
   EXPECT_EQ(toneFrom("linear", "--tone"), ToneCurve::kLinear);
+  for (const ToneCurve curve : allToneCurves()) EXPECT_EQ(toneFrom(nameOf(curve), "--tone"), curve);
   expectRefused([] { (void)toneFrom("neutrall", "--tone"); }, "did you mean 'neutral'?");
+}
+
+TEST(Values, TheUnitIsForTonesOfTheEyeThatHaveNoExposure) {
+  EXPECT_EQ(toneOptionsFrom("ward", "auto", "250").candelasPerUnit, 250.0);
+  EXPECT_FALSE(toneOptionsFrom("ward", "1", "auto").candelasPerUnit.has_value());
+  expectRefused([] { (void)toneOptionsFrom("neutral", "auto", "250"); }, "--unit: only the tones of the eye");
+  expectRefused([] { (void)toneOptionsFrom("ward", "1", "250"); },
+                "--unit, --exposure: expected one of them");
+  expectRefused([] { (void)unitFrom("bright", "--unit"); }, "or 'auto', found 'bright'");
+  expectRefused([] { (void)unitFrom("0", "--unit"); }, "the cd/m2 of a radiance of 1");
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ FramePair warpedPair(const Scene& scene, const paths::CameraPath& walk, int firs
                                  ibr::gatherWarp(lastFrame, target(), ibr::WarpSettings{})};
   const walkthrough::ComparedPair compared = walkthrough::comparedPair(warped, walkthrough::ItemSet());
 
-  const ToneMapping tone{ToneCurve::kNeutral, exposureFor(firstFrame)};
+  const ToneMapping mapping{.curve = ToneCurve::kNeutral, .exposureEv = exposureFor(firstFrame)};
+  const FrameTone tone = mapping.at(middle, rendering.display);
   const auto seen = [&](const RadianceMap& radiance) {
     return displayLuminance(encodeForDisplay(resolveRadiance(radiance, rendering.supersample), tone),
                             rendering.display);

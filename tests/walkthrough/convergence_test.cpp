@@ -21,10 +21,10 @@ Settings settings() {
   return s;
 }
 
-LuminanceMap grey() {
+Converged grey() {
   Frame frame = unshaded(NoisyWall(kSize, {}, 0).visibility(kCamera));
   for (Rgb& value : frame.diffuse.pixels()) value = Rgb(NoisyWall::kGrey);
-  return seenOnDisplay(frame, settings());
+  return convergedTo(frame, settings());
 }
 
 TEST(Convergence, DoublesThePathsUpToTheMost) {

@@ -139,6 +139,29 @@ TEST(JudgeMiddle, AcceptsEqualWarps) {
   EXPECT_EQ(judgement.statistics.maskedPercent, 0.0);
 }
 
+TEST(JudgeMiddle, SeesBothWarpsWithOneEyeThatIsInTheMiddle) {
+  const Size size{40, 30};
+  WarpedPair warped = pairOf(size);
+  warped.fromFirst = warpedOf(size, Rgb(0.25f), kWall);
+  warped.fromLast = warpedOf(size, Rgb(0.3f), kWall);
+  Settings settings = settingsFor(size);
+  settings.tone.candelasPerUnit = 100.0;
+  // Bright in the middle of the segment only.
+  settings.tone.adaptation = AdaptationCurve({{0, 3.0}, {3, 3.0}, {4, 300.0}, {5, 3.0}, {8, 3.0}}, 25.0);
+  const AnalyticRenderer renderer{Panel::kMatt};
+  for (const ToneCurve curve : {ToneCurve::kWard, ToneCurve::kFerwerda, ToneCurve::kChiu}) {
+    settings.tone.curve = curve;
+    const FrameTone tone = settings.tone.at(4, settings.display);
+    const RadianceMap one(size, Rgb(0.25f));
+    const RadianceMap other(size, Rgb(0.3f));
+    const Surroundings both = tone.around({&one, &other});
+    const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settings);
+    EXPECT_EQ(judgement.middle.fromFirst(9, 7), encodeForDisplay(one, tone, both)(9, 7)) << nameOf(curve);
+    EXPECT_EQ(judgement.middle.fromLast(9, 7), encodeForDisplay(other, tone, both)(9, 7)) << nameOf(curve);
+    EXPECT_NE(judgement.middle.fromFirst(9, 7), judgement.middle.fromLast(9, 7)) << nameOf(curve);
+  }
+}
+
 /// Stripes of eight pixels whose contrast differs by a third between the warps: far above threshold.
 WarpedPair stripedPair(Size size) {
   WarpedPair warped = pairOf(size);

@@ -30,6 +30,9 @@ Report threeFrames() {
   r.settings.frames = {4, 6};
   r.settings.display.name = "fhd-24";
   r.settings.tone.exposureEv = 1.5;
+  r.settings.tone.curve = ToneCurve::kWard;
+  r.settings.tone.candelasPerUnit = 20.0;
+  r.settings.tone.adaptation = AdaptationCurve({{4, 30.0}, {6, 40.5}}, 24.0);
   const auto keyframe = [](int index, double seconds) {
     FrameStatistics f;
     f.index = index;
@@ -88,6 +91,10 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(job["directory"], "/home/me");
   EXPECT_EQ(job["display_model"]["resolution"], json::parse("[1920, 1080]"));
   EXPECT_EQ(job["display_model"]["transfer"], "srgb");
+  EXPECT_EQ(job["display_model"]["primaries"]["white"], json::parse("[0.3127, 0.329]"));
+  EXPECT_EQ(job["tone"], "ward");
+  EXPECT_EQ(job["luminance_unit"], 20.0);
+  EXPECT_EQ(job["adaptation"], json::parse("[[4, 30.0], [6, 40.5]]"));
   const json& totals = root["totals"];
   EXPECT_EQ(totals["frames"], 3);
   EXPECT_EQ(totals["keyframes"], 2);

@@ -39,7 +39,7 @@ Trial trial(const NoisyWall& wall) {
 /// Of the pixels of two frames; still, as the stopping looks at them.
 double percentDifferent(const Frame& a, const Frame& b) {
   const Settings s = settings();
-  return aqm::percentVisible(aqm::compare(seenOnDisplay(a, s), seenOnDisplay(b, s), VelocityMap(),
+  return aqm::percentVisible(aqm::compare(seenOnDisplay(a, 0, s), seenOnDisplay(b, 0, s), VelocityMap(),
                                           aqm::Settings{s.display.pixelsPerDegree()})
                                  .probability,
                              Mask());

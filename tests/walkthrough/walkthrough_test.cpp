@@ -445,27 +445,52 @@ TEST(ExposureOf, IsZeroWithoutLight) {
   EXPECT_EQ(exposureOf({std::numeric_limits<double>::quiet_NaN(), 0.18}), 0.0);
 }
 
+/// A wall of one grey that goes on with the light at `frame`.
+class Grey final : public Renderer {
+ public:
+  explicit Grey(int lightFrom = 0) : lightFrom_(lightFrom) {}
+  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
+    return {camera, DepthMap(camera.size(), 1.0f), NormalMap(camera.size()), ItemBuffer(camera.size(), 1)};
+  }
+  void retrace(Frame& frame, const Mask& mask, SampleSource, int frameIndex) const override {
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+      if (mask.pixels()[i] != 0) frame.diffuse.pixels()[i] = Rgb(frameIndex < lightFrom_ ? 0.0045f : 0.045f);
+    }
+  }
+  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
+    Frame frame = unshaded(visibility(camera));
+    retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
+    return frame;
+  }
+  [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
+  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
+
+ private:
+  int lightFrom_;
+};
+
 TEST(AutomaticExposure, BringsTheLogAverageToMiddleGrey) {
-  class Grey final : public Renderer {
-   public:
-    [[nodiscard]] Visibility visibility(const Camera& camera) const override {
-      return {camera, DepthMap(camera.size(), 1.0f), NormalMap(camera.size()), ItemBuffer(camera.size(), 1)};
-    }
-    void retrace(Frame& frame, const Mask& mask, SampleSource, int) const override {
-      for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
-        if (mask.pixels()[i] != 0) frame.diffuse.pixels()[i] = Rgb(0.045f);
-      }
-    }
-    [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
-      Frame frame = unshaded(visibility(camera));
-      retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
-      return frame;
-    }
-    [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
-    [[nodiscard]] RayCounts rayCounts() const override { return {}; }
-  };
   // 0.18 / 0.045 = 4: two stops.
   EXPECT_DOUBLE_EQ(automaticExposure(still(10), {0, 9}, Grey(), {64, 36}), 2.0);
+}
+
+TEST(AdaptationAlong, SeesTheWalkBeforeItIsRendered) {
+  // 25 frames a second: views of frames 2, 6, 10, 13.
+  const AdaptationCurve curve = adaptationAlong(still(20), {2, 13}, Grey(8), {64, 36}, 1000.0);
+  std::vector<int> frames;
+  for (const View& view : curve.views()) frames.push_back(view.frame);
+  EXPECT_THAT(frames, testing::ElementsAre(2, 6, 10, 13));
+  EXPECT_NEAR(curve.at(2).now, 4.5, 1e-4);
+  EXPECT_NEAR(curve.at(10).steady, 45.0, 1e-3);
+  EXPECT_GT(curve.at(12).now, curve.at(10).now);
+  EXPECT_LT(curve.at(12).now, 45.0);
+}
+
+TEST(AdaptationAlong, IsTheSameWheneverItIsAsked) {
+  const AnalyticRenderer renderer(Panel::kMirrorLike);
+  const AdaptationCurve once = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kSize, 100.0);
+  const AdaptationCurve again = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kSize, 100.0);
+  for (int frame = 0; frame < 9; ++frame) EXPECT_EQ(once.at(frame).now, again.at(frame).now);
 }
 
 }  // namespace
