@@ -26,7 +26,7 @@ build/release/examples/make_hall out/hall-scene
 step "Rendering the walk to out/hall: 200 frames of 640x360"
 render() {
   build/release/src/app/promenade render out/hall-scene/hall.gltf --out out/hall --size 640x360 --supersample 2 \
-    --exposure 0 --maps "$@"
+    --spp 8 --exposure 0 --maps "$@"
 }
 status=0
 render || status=$?
