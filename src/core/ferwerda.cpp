@@ -1,6 +1,6 @@
 // A departure from the paper: how thresholds come down after a change of light is not tabulated from
 // measurements that last minutes, but follows the adaptation of the walk (adaptation.h). After a change in
-// either direction they are above those of the steady state (Ferwerda et al., section 3.4); here by as much
+// either direction they are above those of the steady state, as Ferwerda et al. say; here by as much
 // as an eye adapted to the same distance above the steady luminance, on a logarithmic scale, would have.
 
 #include "src/core/ferwerda.h"
