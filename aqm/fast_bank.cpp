@@ -20,6 +20,16 @@ namespace {
 
 /// Of a channel's sensitivity, and of 2 where it is lower. The grids' interpolation costs more.
 constexpr double kTolerance = 0.02;
+
+/// Degrees per second; images at up to 100 for an eye that tracks them. (A step of the speeds more than 20.)
+constexpr double kFastestOnRetina = 20.5;
+
+bool isCovered(const Settings& settings) {
+  return settings.decomposition != Decomposition::kLaplacianPyramid &&
+         (settings.csf == Csf::kKellyDaly || settings.csf == Csf::kDalyMoving) &&
+         settings.contrast == ContrastKind::kGlobal && settings.masking.elevation != Elevation::kDaly &&
+         settings.signedMap == SignedMap::kNo;
+}
 /// Two cache lines of complex floats: the unit of transposition.
 constexpr int kRowsPerBlock = 16;
 constexpr int kColumnsPerBlock = 4;
@@ -233,11 +243,11 @@ class FastBand {
 
 }  // namespace
 
-bool isCovered(const Settings& settings) {
-  return settings.decomposition != Decomposition::kLaplacianPyramid &&
-         (settings.csf == Csf::kKellyDaly || settings.csf == Csf::kDalyMoving) &&
-         settings.contrast == ContrastKind::kGlobal && settings.masking.elevation != Elevation::kDaly &&
-         settings.signedMap == SignedMap::kNo;
+std::optional<SpeedSteps> speedsToRunFast(const VelocityMap& velocity, const Settings& settings) {
+  if (settings.execution != Execution::kFast || !isCovered(settings)) return std::nullopt;
+  SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
+  if (speeds.fastest > kFastestOnRetina) return std::nullopt;
+  return speeds;
 }
 
 std::vector<BandPlan> bandPlans(const Layout& layout, const FilterBank& filters, const Settings& settings,

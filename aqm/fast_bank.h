@@ -2,6 +2,7 @@
 // What channels.h and masking.h do, in less time: bands on coarser grids (grid.h), few terms instead of many
 // speed levels (speed_terms.h), only the coefficients that a channel passes (passband.h).
 
+#include <optional>
 #include <vector>
 
 #include "aqm/filter_bank.h"
@@ -14,9 +15,12 @@
 
 namespace promenade::aqm {
 
-/// What fastPowers() covers: cortex filters, a CSF that knows of motion, global contrast, a unit knee or no
-/// masking, no signed map.
-[[nodiscard]] bool isCovered(const Settings& settings);
+/// The speeds for fastPowers(); nothing where the formulas have to be executed one by one: asked for;
+/// settings other than cortex filters, a CSF that knows of motion, global contrast, a unit knee or no
+/// masking, no signed map; motion so fast on the retina that what is interpolated between pixels leaves its
+/// bounds (docs/method.md, "Limit: very fast motion"). `velocity`: as for speedSteps().
+[[nodiscard]] std::optional<SpeedSteps> speedsToRunFast(const VelocityMap& velocity,
+                                                        const Settings& settings);
 
 struct BandPlan {
   int band = 1;

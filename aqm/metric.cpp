@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -175,8 +176,8 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
 
   // The retina's response, as contrast.
   const double adaptation = adaptationLuminance(test, reference);
-  const bool isFast = settings.execution == Execution::kFast && isCovered(settings);
-  const auto contrastOf = isFast ? fastContrast : contrast;
+  const std::optional<SpeedSteps> fastSpeeds = speedsToRunFast(velocity, settings);
+  const auto contrastOf = fastSpeeds ? fastContrast : contrast;
   const ContrastMap testContrast = contrastOf(test, adaptation);
   const ContrastMap referenceContrast = contrastOf(reference, adaptation);
 
@@ -191,10 +192,10 @@ Result compare(const LuminanceMap& test, const LuminanceMap& reference, const Ve
 
   const double squareDegrees = static_cast<double>(test.size().area()) / (ppd * ppd);
   const Adaptation adapted{adaptation, squareDegrees, settings.viewingDistanceMetres};
-  if (isFast) {
-    const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
-    return judged(fastPowers(layout, testSpectrum, referenceSpectrum, filters, settings, adapted, speeds), {},
-                  settings);
+  if (fastSpeeds) {
+    return judged(
+        fastPowers(layout, testSpectrum, referenceSpectrum, filters, settings, adapted, *fastSpeeds), {},
+        settings);
   }
 
   // Channels (cortex filters and the CSF at the speed each of them sees), masked and summed.

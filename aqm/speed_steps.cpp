@@ -111,6 +111,7 @@ SpeedSteps speedSteps(const VelocityMap& velocity, int orientations, Eye eye) {
   }
   result.first = all.least / kSpeedSteps;
   result.last = (all.greatest + kSpeedSteps - 1) / kSpeedSteps;
+  result.fastest = result.levels.slowest * std::exp2(static_cast<double>(all.greatest) / kSpeedSteps);
   return result;
 }
 

@@ -17,6 +17,8 @@ struct SpeedSteps {
   /// The levels between which all speeds lie, inclusive.
   int first = 0;
   int last = 0;
+  /// The fastest on the retina, degrees per second, to a step.
+  double fastest = 0.0;
   /// One plane per orientation, then one for the baseband (with one orientation: the baseband's only): step
   /// numbers, kSpeedSteps an octave from the slowest speed. Empty where nothing moves: all are 0.
   std::vector<Plane<std::uint16_t>> planes;

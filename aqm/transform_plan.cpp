@@ -39,9 +39,8 @@ std::vector<PlannedTransforms> plannedTransforms(Size size, const VelocityMap& v
     }
   };
   const FilterBank filters(settings.decomposition, layout.bands, settings.orientations);
-  if (settings.execution == Execution::kFast && isCovered(settings)) {
-    const SpeedSteps speeds = speedSteps(velocity, settings.orientations, settings.eye);
-    for (const BandPlan& plan : bandPlans(layout, filters, settings, Adaptation{}, speeds)) {
+  if (const std::optional<SpeedSteps> speeds = speedsToRunFast(velocity, settings)) {
+    for (const BandPlan& plan : bandPlans(layout, filters, settings, Adaptation{}, *speeds)) {
       const int channels = plan.band > layout.bands ? 1 : settings.orientations;
       addInverse(plan.grid.padded, 2 * channels * static_cast<int>(plan.terms.shapes.size()));
     }

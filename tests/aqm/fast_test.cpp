@@ -62,7 +62,7 @@ TEST(FastExecution, FindsWhatThePlainOneFindsInEveryCoveredSetting) {
   with("masking by the test", [](Settings& s) { s.masking.source = MaskSource::kTest; });
   with("masking by the reference", [](Settings& s) { s.masking.source = MaskSource::kReference; });
   for (const auto& [name, settings] : cases) {
-    ASSERT_TRUE(isCovered(settings));
+    ASSERT_TRUE(speedsToRunFast(velocity, settings));
     expectClose(tests::departure(test, reference, velocity, settings), name);
     expectClose(tests::departure(test, reference, {}, settings), name);
   }
@@ -129,11 +129,25 @@ TEST(PlannedTransforms, AreThoseOfTheChannelsOfBothFrames) {
 }
 
 TEST(FastExecution, LeavesToThePlainOneWhatItDoesNotCover) {
-  EXPECT_TRUE(isCovered(aqm2000(40.0)));
-  EXPECT_FALSE(isCovered(vdp(40.0, 0.5)));
+  EXPECT_TRUE(speedsToRunFast({}, aqm2000(40.0)));
+  EXPECT_FALSE(speedsToRunFast({}, vdp(40.0, 0.5)));
   Settings settings = aqm(40.0);
   settings.contrast = ContrastKind::kLocal;
-  EXPECT_FALSE(isCovered(settings));
+  EXPECT_FALSE(speedsToRunFast({}, settings));
+}
+
+/// One pixel of the frame races. A tracking eye follows at up to 80 degrees a second, one at rest does not.
+TEST(FastExecution, LeavesToThePlainOneWhatRacesOverTheRetina) {
+  const auto racing = [](double speed) {
+    return velocityOf({32, 32},
+                      [speed](int x, int y) { return glm::dvec2(x == 7 && y == 9 ? speed : 1.0, 0.0); });
+  };
+  EXPECT_TRUE(speedsToRunFast(racing(100.0), aqm(40.0)));
+  EXPECT_FALSE(speedsToRunFast(racing(102.0), aqm(40.0)));
+  Settings still = aqm(40.0);
+  still.eye = Eye::kFixating;
+  EXPECT_TRUE(speedsToRunFast(racing(20.0), still));
+  EXPECT_FALSE(speedsToRunFast(racing(22.0), still));
 }
 
 }  // namespace
