@@ -28,7 +28,7 @@ function(promenade_library name)
 endfunction()
 
 # promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...] [TIMEOUT seconds] [SLOW Suite.Test ...]):
-# one executable, one CTest entry a test case. SLOW names test cases, * allowed, that get the label "slow": the
+# one executable, one CTest entry a test case. SLOW names test cases, * allowed, that get the label "slow" instead: the
 # sanitizer builds leave them out.
 function(promenade_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;SLOW" ${ARGN})
@@ -43,8 +43,8 @@ function(promenade_test name)
   set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
   if(ARG_SLOW)
     list(JOIN ARG_SLOW ":" slow)
-    gtest_discover_tests(${name} ${discovery} TEST_FILTER "${slow}"
-                         PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS};slow")
+    # One label: of a list only the first gets through.
+    gtest_discover_tests(${name} ${discovery} TEST_FILTER "${slow}" PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS slow)
     set(others TEST_FILTER "-${slow}")
   endif()
   gtest_discover_tests(${name} ${discovery} ${others} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
