@@ -30,6 +30,7 @@ bool isCovered(const Settings& settings) {
          settings.contrast == ContrastKind::kGlobal && settings.masking.elevation != Elevation::kDaly &&
          settings.signedMap == SignedMap::kNo;
 }
+
 /// Two cache lines of complex floats: the unit of transposition.
 constexpr int kRowsPerBlock = 16;
 constexpr int kColumnsPerBlock = 4;

@@ -1,6 +1,6 @@
-#include <chrono>
 #include <map>
 
+#include "src/app/elapsed.h"
 #include "src/app/forecast.h"
 #include "src/app/frame_output.h"
 #include "src/app/job_report.h"
@@ -17,12 +17,7 @@
 namespace promenade::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using walkthrough::Segment;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Parts in the order of time, those that are finished with what was kept of them.
 struct Progression {

@@ -1,5 +1,4 @@
-#include <chrono>
-
+#include "src/app/elapsed.h"
 #include "src/app/farm_job.h"
 #include "src/app/folders.h"
 #include "src/app/frame_output.h"
@@ -14,12 +13,7 @@
 namespace promenade::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using walkthrough::Segment;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void renderPart(const Segment& part, const LoadedJob& job, const walkthrough::Settings& settings,
                 const Renderer& renderer, const SharedKeyframes& shared, const OutputFolder& folder,

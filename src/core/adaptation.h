@@ -27,7 +27,7 @@ struct Adaptation {
 /// What is seen in one frame of a walk.
 struct View {
   int frame = 0;
-  double luminance = 0.0;    ///< log-average of the foveal luminances, cd/m2
+  double luminance = 0.0;         ///< log-average of the foveal luminances, cd/m2
   LightHistogram histogram = {};  ///< of them
 };
 

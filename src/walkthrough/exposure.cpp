@@ -3,47 +3,55 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "src/core/adaptation.h"
 #include "src/core/resolve.h"
 #include "src/walkthrough/walkthrough.h"
 
 namespace promenade::walkthrough {
 
+namespace {
+
+struct Detail {
+  int columns;  ///< of parts that are told apart
+  int block;    ///< samples along a part's edge
+  int paths;    ///< of a sample, whatever number of them the walk's frames will have
+  /// Samples of a frame of that shape.
+  [[nodiscard]] Size samples(Size shape) const {
+    const double rows = std::round(double(columns) * shape.height / shape.width);
+    return {columns * block, static_cast<int>(std::clamp(rows, 1.0, 4.0 * columns)) * block};
+  }
+};
+
+RadianceMap glimpse(const paths::CameraPath& path, const Renderer& renderer, int index, Size shape,
+                    const Detail& detail) {
+  Frame frame = unshaded(renderer.visibility(path.camera(index, detail.samples(shape))));
+  (void)renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = detail.paths}, index);
+  return combinedRadiance(frame);
+}
+
+}  // namespace
+
 double exposureOf(std::vector<double> luminances) {
   constexpr double kMiddleGrey = 0.18;
-  // Darker parts count as this share of the mean, so that a black corner does not decide.
-  constexpr double kDarkest = 1e-2;
   std::erase_if(luminances, [](double l) { return !std::isfinite(l); });
-  std::sort(luminances.begin(), luminances.end());
   for (double& l : luminances) l = std::max(l, 0.0);
-  const auto count = std::max<double>(1.0, static_cast<double>(luminances.size()));
-  const double mean = std::accumulate(luminances.begin(), luminances.end(), 0.0) / count;
-  if (!(mean > 0.0)) return 0.0;
-  double sum = 0.0;
-  for (const double l : luminances) sum += std::log2(std::max(l, kDarkest * mean));
-  const double ev = std::log2(kMiddleGrey) - sum / count;
-  return std::round(10.0 * std::clamp(ev, -40.0, 40.0)) / 10.0;
+  const double average = logAverage(std::move(luminances));
+  if (!(average > 0.0)) return 0.0;
+  return std::round(10.0 * std::clamp(std::log2(kMiddleGrey / average), -40.0, 40.0)) / 10.0;
 }
 
 double automaticExposure(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
                          Size size) {
   constexpr int kFrames = 7;
-  constexpr int kPaths = 16;
-  constexpr int kBlock = 8;
-  constexpr int kColumns = 8;  // of blocks
-  const int rows =
-      std::clamp(static_cast<int>(std::lround(double(kColumns) * size.height / size.width)), 1, 4 * kColumns);
+  constexpr Detail kDetail{.columns = 8, .block = 8, .paths = 16};
   std::vector<double> blocks;
   for (int k = 0; k < kFrames; ++k) {
     const int index =
         frames.first + static_cast<int>(std::lround((frames.count() - 1) * k / double(kFrames - 1)));
-    Frame frame = unshaded(renderer.visibility(path.camera(index, {kColumns * kBlock, rows * kBlock})));
-    // The same exposure whatever number of paths the frames will have.
-    (void)renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = kPaths}, index);
-    const RadianceMap means = resolveRadiance(combinedRadiance(frame), kBlock);
+    const RadianceMap means = resolveRadiance(glimpse(path, renderer, index, size, kDetail), kDetail.block);
     for (const Rgb& mean : means.pixels()) blocks.push_back(luminance(mean));
   }
   return exposureOf(std::move(blocks));
@@ -51,16 +59,11 @@ double automaticExposure(const paths::CameraPath& path, FrameRange frames, const
 
 AdaptationCurve adaptationAlong(const paths::CameraPath& path, FrameRange frames, const Renderer& renderer,
                                 Size size, double candelasPerUnit) {
-  constexpr int kColumns = 64;  // of foveal parts
-  constexpr int kBlock = 2;     // samples along a part's edge
-  constexpr int kPaths = 4;     // a part has four times as many
-  const int rows =
-      std::clamp(static_cast<int>(std::lround(double(kColumns) * size.height / size.width)), 1, 4 * kColumns);
+  constexpr Detail kFoveal{.columns = 64, .block = 2, .paths = 4};
   std::vector<View> views;
   for (const int index : framesToView(frames.first, frames.last, path.framesPerSecond)) {
-    Frame frame = unshaded(renderer.visibility(path.camera(index, {kColumns * kBlock, rows * kBlock})));
-    (void)renderer.refine(frame, Mask(frame.diffuse.size(), 1), {.before = 0, .count = kPaths}, index);
-    views.push_back(viewOf(index, fovealLuminances(combinedRadiance(frame), kColumns), candelasPerUnit));
+    const RadianceMap seen = glimpse(path, renderer, index, size, kFoveal);
+    views.push_back(viewOf(index, fovealLuminances(seen, kFoveal.columns), candelasPerUnit));
   }
   return {std::move(views), path.framesPerSecond};
 }

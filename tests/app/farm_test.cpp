@@ -31,8 +31,8 @@ TEST(FarmPlan, HasTheKeyframesBetweenPartsAsTasksOfTheirOwn) {
   const auto tasks = tasksOf(walkOf(21, 8));
   std::vector<std::string> described;
   for (const Task& task : tasks) described.push_back(describe(task));
-  EXPECT_THAT(described, ElementsAre("light and exposure", "keyframe 8", "keyframe 16",
-                                     "frames 0 to 8", "frames 8 to 16", "frames 16 to 20"));
+  EXPECT_THAT(described, ElementsAre("light and exposure", "keyframe 8", "keyframe 16", "frames 0 to 8",
+                                     "frames 8 to 16", "frames 16 to 20"));
   EXPECT_THAT(sharedKeyframes(tasks), ElementsAre(8, 16));
   const auto stages = stagesOf(tasks);
   ASSERT_EQ(stages.size(), 3u);
