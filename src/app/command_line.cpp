@@ -232,11 +232,12 @@ struct VerbEntry {
   const char* about;
 };
 
-constexpr std::array<VerbEntry, 10> kVerbs = {{
+constexpr std::array<VerbEntry, 11> kVerbs = {{
     {Verb::kRender, "render", "Render a walk through a scene: frames, video and report"},
     {Verb::kPlan, "plan", "Divide a walk into tasks for many machines"},
     {Verb::kWork, "work", "Do one task of a plan"},
     {Verb::kAssemble, "assemble", "Make video and report when all tasks of a plan are done"},
+    {Verb::kSubmit, "submit", "Give a plan to a queue and watch it"},
     {Verb::kCompare, "compare",
      "Where would a viewer see a difference between two images, sequences or videos?"},
     {Verb::kPath, "path", "Describe, convert or draw a camera path"},
@@ -360,6 +361,9 @@ void addVerb(CLI::App& verb, Verb which, CommandLine& line, std::string& config)
       break;
     case Verb::kAssemble:
       addAssemble(verb, line.assemble);
+      break;
+    case Verb::kSubmit:
+      addSubmit(verb, line.submit);
       break;
     case Verb::kCompare:
       addCompare(verb, line.compare);
@@ -486,8 +490,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   if (arguments.empty())
     throw InputError(
-        "expected a verb: render, plan, work, assemble, compare, path, encode, report, info or converge "
-        "(promenade --help)");
+        "expected a verb: render, plan, work, assemble, submit, compare, path, encode, report, info or "
+        "converge (promenade --help)");
   const std::string& first = arguments.front();
   if (const auto text = madeOfHelp(arguments)) {
     line.text = *text;

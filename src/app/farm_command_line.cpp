@@ -15,4 +15,16 @@ void addAssemble(CLI::App& verb, AssembleOptions& o) {
   verb.footer("Example:\n  promenade assemble walk");
 }
 
+void addSubmit(CLI::App& verb, SubmitOptions& o) {
+  verb.add_option("folder", o.folder, "Folder of a planned job, on a file system that all machines share")
+      ->required();
+  verb.add_flag("--slurm", o.slurm, "To Slurm, with sbatch (the only queue that is spoken to directly)");
+  verb.add_option("--partition", o.partition, "Partition of the cluster");
+  verb.add_option("--cpus", o.cpus, "Processors a task");
+  verb.add_option("--memory", o.memory, "Memory a task, e.g. 8G");
+  verb.add_option("--time", o.timeLimit, "Time limit of a task, e.g. 2:00:00");
+  verb.add_flag("--no-wait", o.noWait, "Return when the jobs are submitted");
+  verb.footer("Example:\n  promenade submit walk --slurm --cpus 8");
+}
+
 }  // namespace promenade::app

@@ -9,5 +9,6 @@ namespace promenade::app {
 
 void addWork(CLI::App& verb, WorkOptions& options);
 void addAssemble(CLI::App& verb, AssembleOptions& options);
+void addSubmit(CLI::App& verb, SubmitOptions& options);
 
 }  // namespace promenade::app

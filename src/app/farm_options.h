@@ -1,5 +1,5 @@
 #pragma once
-// What may be typed after `work` and `assemble`. (`plan` takes what `render` takes.)
+// What may be typed after `work`, `assemble` and `submit`. (`plan` takes what `render` takes.)
 
 #include <string>
 
@@ -14,6 +14,16 @@ struct WorkOptions {
 struct AssembleOptions {
   std::string folder;
   std::string threads;  ///< empty: as planned
+};
+
+struct SubmitOptions {
+  std::string folder;
+  bool slurm = false;
+  std::string partition;  ///< empty: the cluster's default
+  std::string cpus;       ///< a task; empty: the cluster's default
+  std::string memory;     ///< a task, as sbatch --mem takes it; empty: the cluster's default
+  std::string timeLimit;  ///< a task, as sbatch --time takes it; empty: the cluster's default
+  bool noWait = false;
 };
 
 }  // namespace promenade::app

@@ -26,6 +26,8 @@ ExitStatus runVerb(const CommandLine& line, Console& console) {
       return runWork(line.work, console);
     case Verb::kAssemble:
       return runAssemble(line.assemble, console);
+    case Verb::kSubmit:
+      return runSubmit(line.submit, console);
     case Verb::kCompare:
       return runCompare(line.compare, console);
     case Verb::kPath:

@@ -126,6 +126,7 @@ enum class Verb {
   kPlan,
   kWork,
   kAssemble,
+  kSubmit,
   kCompare,
   kPath,
   kEncode,
@@ -141,6 +142,7 @@ struct CommandLine {
   RenderOptions render;  ///< of kPlan, too
   WorkOptions work;
   AssembleOptions assemble;
+  SubmitOptions submit;
   CompareOptions compare;
   PathOptions path;
   EncodeOptions encode;

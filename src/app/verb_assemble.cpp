@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "src/app/farm_job.h"
+#include "src/app/farm_progress.h"
 #include "src/app/job_report.h"
 #include "src/app/machine.h"
 #include "src/app/part_records.h"
@@ -17,15 +18,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void refuse(const FarmJob& farm, const std::vector<int>& missing) {
-  std::string list;
-  for (std::size_t i = 0; i < std::min<std::size_t>(missing.size(), 20); ++i) {
-    if (i > 0) list.append(",");
-    list.append(std::to_string(missing[i]));
-  }
-  if (missing.size() > 20) list += ",...";
   throw InputError(farm.folder.string(),
                    std::to_string(missing.size()) + " of " + std::to_string(farm.plan.tasks.size()) +
-                       " tasks are not done: " + list + " (promenade work DIR --task K)");
+                       " tasks are not done: " + listOf(missing) + " (promenade work DIR --task K)");
 }
 
 }  // namespace

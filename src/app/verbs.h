@@ -12,6 +12,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console);
 ExitStatus runPlan(const RenderOptions& options, Console& console);
 ExitStatus runWork(const WorkOptions& options, Console& console);
 ExitStatus runAssemble(const AssembleOptions& options, Console& console);
+ExitStatus runSubmit(const SubmitOptions& options, Console& console);
 ExitStatus runCompare(const CompareOptions& options, Console& console);
 ExitStatus runPath(const PathOptions& options, Console& console);
 ExitStatus runEncode(const EncodeOptions& options, Console& console);

@@ -1,4 +1,4 @@
-// Jobs divided for render farms: the plan, and its template for queues.
+// Jobs divided for render farms: the plan, its template for queues, what is said to Slurm.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "src/app/farm_plan.h"
 #include "src/app/open_job_description.h"
+#include "src/app/slurm.h"
+#include "src/app/subprocess.h"
 #include "tests/app/refused.h"
 
 namespace promenade::app {
@@ -108,6 +111,48 @@ TEST(OpenJobDescription, HasAStepAStageEachAfterTheOneBefore) {
 TEST(OpenJobDescription, NamesNoJobAfterAFormatString) {
   const auto root = openJobTemplate("{{Param.Folder}}", tasksOf(walkOf(3, 8)));
   EXPECT_THAT(root["name"].get<std::string>(), testing::Not(HasSubstr("{{")));
+}
+
+TEST(Slurm, ArraysAreNoLargerThanClustersAllow) {
+  // 2500 parts of one frame, after one preparation: arrays of 1000, 1000 and 500.
+  walkthrough::Settings settings = walkOf(2500, 8);
+  settings.method = walkthrough::Method::kFull;
+  SubmitOptions options;
+  options.cpus = "4";
+  const auto tasks = tasksOf(settings);
+  std::vector<int> all(tasks.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto submissions = submissionsOf(tasks, all, "/job", options);
+  ASSERT_EQ(submissions.size(), 5u);
+  EXPECT_THAT(submissions[0].arguments, IsSupersetOf({"--array=0", "--cpus-per-task=4"}));
+  EXPECT_THAT(submissions[1].arguments, IsSupersetOf({"--array=0-999", "1"}));
+  EXPECT_THAT(submissions[3].arguments, IsSupersetOf({"--array=0-499", "2001"}));
+  EXPECT_EQ(submissions[1].stage, submissions[3].stage);
+  EXPECT_GT(submissions[4].stage, submissions[3].stage);
+}
+
+TEST(Slurm, OnlyWhatIsMissingIsSubmittedAgain) {
+  // 0: light, 1-2: keyframes 8 and 16, 3-5: parts.
+  const auto submissions = submissionsOf(tasksOf(walkOf(21, 8)), {3, 5}, "/job", {});
+  ASSERT_EQ(submissions.size(), 2u);  // parts, assembly
+  EXPECT_THAT(submissions[0].arguments, IsSupersetOf({"--array=0,2", "3"}));
+  EXPECT_EQ(submissions[0].stage, 0);
+  EXPECT_EQ(submissions[1].stage, 1);
+  EXPECT_EQ(submissionsOf(tasksOf(walkOf(21, 8)), {}, "/job", {}).size(), 1u);
+  EXPECT_EQ(arrayOf({0, 1, 2, 5, 7, 8}), "0-2,5,7-8");
+}
+
+TEST(Slurm, ScriptsSurviveNamesWithQuotesAndBlanks) {
+  EXPECT_THAT(taskScript("/opt/it's here/promenade", "/a b"),
+              HasSubstr(R"(exec '/opt/it'\''s here/promenade' work '/a b' --task)"));
+}
+
+TEST(RunProgram, ReturnsWhatTheProgramSaidAndHowItEnded) {
+  const auto said = runProgram({"sh", "-c", "echo one; echo two; exit 3"});
+  EXPECT_EQ(said.output, "one\ntwo\n");
+  EXPECT_EQ(said.status, 3);
+  EXPECT_EQ(runProgram({"sh", "-c", "kill -9 $$"}).status, 128 + 9);
+  expectRefused([] { (void)runProgram({"no-such-program-anywhere"}); }, "cannot run this program");
 }
 
 }  // namespace
