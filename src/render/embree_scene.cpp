@@ -248,7 +248,7 @@ Hit EmbreeScene::intersect(const Ray& ray) const {
   return hitOf(query.ray.tfar, hit.geomID, hit.instID[0], hit.primID, hit.u, hit.v);
 }
 
-std::array<Hit, kPacket> EmbreeScene::intersect(const std::array<Ray, kPacket>& rays, int count) const {
+EmbreeScene::PacketHits EmbreeScene::intersect(const std::array<Ray, kPacket>& rays, int count) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   // Embree 3.13.5 never returns from coherent traversal of some packets in scenes with instances.
@@ -261,12 +261,13 @@ std::array<Hit, kPacket> EmbreeScene::intersect(const std::array<Ray, kPacket>& 
   }
   alignas(64) const std::array<int, kPacket> valid = firstLanes(count);
   rtcIntersect16(valid.data(), handles_->top.get(), &context, &query);
-  std::array<Hit, kPacket> hits;
+  PacketHits packet;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    hits[i] = hitOf(query.ray.tfar[i], query.hit.geomID[i], query.hit.instID[0][i], query.hit.primID[i],
-                    query.hit.u[i], query.hit.v[i]);
+    packet.hits[i] = hitOf(query.ray.tfar[i], query.hit.geomID[i], query.hit.instID[0][i],
+                           query.hit.primID[i], query.hit.u[i], query.hit.v[i]);
+    packet.normals[i] = {query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]};
   }
-  return hits;
+  return packet;
 }
 
 Rgb EmbreeScene::transmittance(const Ray& ray) const {

@@ -49,8 +49,15 @@ class EmbreeScene {
   /// Nearest surface; texels cut out by an alpha mask, or wholly transparent ones of a blended material, are
   /// not there.
   [[nodiscard]] Hit intersect(const Ray& ray) const;
+  struct PacketHits {
+    std::array<Hit, kPacket> hits;
+    /// Of the triangles, of any length and on either side, in the space that Embree was given
+    /// (Surfaces::triangles). Embree has them at hand; to read the corners again costs as much as half the
+    /// tracing.
+    std::array<glm::vec3, kPacket> normals;
+  };
   /// The same for `count` <= kPacket coherent rays.
-  [[nodiscard]] std::array<Hit, kPacket> intersect(const std::array<Ray, kPacket>& rays, int count) const;
+  [[nodiscard]] PacketHits intersect(const std::array<Ray, kPacket>& rays, int count) const;
 
   /// Fraction of light that gets from one end of the ray to the other: 0 behind an opaque surface;
   /// alpha-blended surfaces and delta thin-walled transmission let a part through.

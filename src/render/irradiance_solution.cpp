@@ -89,7 +89,7 @@ float harmonicMeanDistance(const PathTracer& tracer, const Candidate& place) {
       Sampler sampler(stream, static_cast<std::uint32_t>(first + i));
       rays[static_cast<std::size_t>(i)] = rayFrom(place.position, basis, sampler);
     }
-    for (const Hit& hit : tracer.embree().intersect(rays, EmbreeScene::kPacket)) {
+    for (const Hit& hit : tracer.embree().intersect(rays, EmbreeScene::kPacket).hits) {
       if (hit.found()) inverse += 1.0f / std::max(hit.distance, 1e-6f);
     }
   }

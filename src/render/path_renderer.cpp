@@ -28,6 +28,12 @@ struct SamplePosition {
   int x = 0, y = 0;
 };
 
+struct PrimaryHit {
+  const Ray& ray;
+  const Hit& hit;
+  const glm::vec3& tracedNormal;  ///< for Surfaces::facingNormal()
+};
+
 /// Samples of one tile in packets of neighbours.
 class TileSamples {
  public:
@@ -46,7 +52,7 @@ class TileSamples {
     }
   }
 
-  /// visit(positions, rays, hits, count) for each packet.
+  /// visit(position, primary hit) for each sample.
   template <class Visit>
   void castPrimaryRays(const EmbreeScene& embree, const Camera& camera, const Visit& visit) const {
     std::array<Ray, EmbreeScene::kPacket> rays;
@@ -58,9 +64,9 @@ class TileSamples {
         rays[static_cast<std::size_t>(i)].origin = glm::vec3(camera.pose().eye);
         rays[static_cast<std::size_t>(i)].direction = glm::vec3(camera.direction(centre));
       }
-      const auto hits = embree.intersect(rays, count);
-      for (int i = 0; i < count; ++i) {
-        visit(positions[i], rays[static_cast<std::size_t>(i)], hits[static_cast<std::size_t>(i)]);
+      const EmbreeScene::PacketHits found = embree.intersect(rays, count);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        visit(positions[i], PrimaryHit{rays[i], found.hits[i], found.normals[i]});
       }
     }
   }
@@ -94,9 +100,9 @@ class PathRenderer final : public Renderer {
     Visibility result = emptyVisibility(camera);
     forEachTile(camera.size(), [&](int tileX, int tileY) {
       const TileSamples samples(camera.size(), tileX, tileY, [](int, int) { return true; });
-      samples.castPrimaryRays(
-          tracer_.embree(), camera,
-          [&](SamplePosition p, const Ray& ray, const Hit& hit) { record(p, ray, hit, result); });
+      samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const PrimaryHit& primary) {
+        record(p, primary, result);
+      });
       visibilityRays_ += static_cast<std::uint64_t>(samples.count());
     });
     return result;
@@ -109,7 +115,7 @@ class PathRenderer final : public Renderer {
     forEachTile(size, [&](int tileX, int tileY) {
       const TileSamples samples(size, tileX, tileY, [&](int x, int y) { return mask(x, y) != 0; });
       shadeTile(samples, frame.visibility.camera, allPaths(frameIndex),
-                [&](SamplePosition p, const Ray&, const Hit&, const ShadedSample& sample) {
+                [&](SamplePosition p, const PrimaryHit&, const ShadedSample& sample) {
                   frame.diffuse(p.x, p.y) = sample.radiance.diffuse;
                   frame.viewDependent(p.x, p.y) = sample.radiance.viewDependent;
                   frame.source(p.x, p.y) = source;
@@ -130,7 +136,7 @@ class PathRenderer final : public Renderer {
       const TileSamples samples(size, tileX, tileY, [&](int x, int y) { return mask(x, y) != 0; });
       std::uint64_t count = 0;
       shadeTile(samples, frame.visibility.camera, {frameIndex, paths, Effort::kExactly},
-                [&](SamplePosition p, const Ray&, const Hit&, const ShadedSample& sample) {
+                [&](SamplePosition p, const PrimaryHit&, const ShadedSample& sample) {
                   Rgb& diffuse = frame.diffuse(p.x, p.y);
                   Rgb& viewDependent = frame.viewDependent(p.x, p.y);
                   if (paths.before == 0) {
@@ -160,8 +166,8 @@ class PathRenderer final : public Renderer {
     forEachTile(size, [&](int tileX, int tileY) {
       const TileSamples samples(size, tileX, tileY, [](int, int) { return true; });
       shadeTile(samples, camera, allPaths(frameIndex),
-                [&](SamplePosition p, const Ray& ray, const Hit& hit, const ShadedSample& sample) {
-                  record(p, ray, hit, frame.visibility);
+                [&](SamplePosition p, const PrimaryHit& primary, const ShadedSample& sample) {
+                  record(p, primary, frame.visibility);
                   frame.diffuse(p.x, p.y) = sample.radiance.diffuse;
                   frame.viewDependent(p.x, p.y) = sample.radiance.viewDependent;
                 });
@@ -189,10 +195,12 @@ class PathRenderer final : public Renderer {
   }
 
   /// The primary direction has component 1 along the view axis, so distances along the ray are depths.
-  void record(SamplePosition p, const Ray& ray, const Hit& hit, Visibility& visibility) const {
+  void record(SamplePosition p, const PrimaryHit& primary, Visibility& visibility) const {
+    const Hit& hit = primary.hit;
     if (!hit.found()) return;
     visibility.depth(p.x, p.y) = hit.distance;
-    visibility.normal(p.x, p.y) = tracer_.surfaces().facingNormal(hit, ray.direction);
+    visibility.normal(p.x, p.y) =
+        tracer_.surfaces().facingNormal(hit.instance, primary.tracedNormal, primary.ray.direction);
     visibility.item(p.x, p.y) = hit.instance + 1;
   }
 
@@ -212,7 +220,8 @@ class PathRenderer final : public Renderer {
     if (samples.count() == 0) return;
     PathRays rays;
     const float pixelWidth = static_cast<float>(1.0 / camera.focalPixels());
-    samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const Ray& ray, const Hit& hit) {
+    samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const PrimaryHit& primary) {
+      const auto& [ray, hit, normal] = primary;
       ShadedSample sample;
       if (hit.found()) {
         Sampler::Stream stream;
@@ -228,7 +237,7 @@ class PathRenderer final : public Renderer {
       } else {
         sample.radiance.diffuse = tracer_.background(glm::normalize(ray.direction));
       }
-      store(p, ray, hit, sample);
+      store(p, primary, sample);
     });
     primaryRays_ += static_cast<std::uint64_t>(samples.count());
     scatteredRays_ += rays.scattered;

@@ -119,12 +119,6 @@ Surfaces::Corners Surfaces::corners(std::size_t instance, std::uint32_t triangle
   return corners;
 }
 
-glm::vec3 Surfaces::facingNormal(const Hit& hit, const glm::vec3& direction) const {
-  const glm::vec3 normal =
-      normalizedOr(corners(hit.instance, hit.triangle).frontNormal, -glm::normalize(direction));
-  return glm::dot(normal, direction) > 0.0f ? -normal : normal;
-}
-
 SurfacePoint Surfaces::pointAt(const Hit& hit, const glm::vec3& direction) const {
   const Placement& p = placements_[hit.instance];
   const Mesh& mesh = scene_.meshes[p.mesh];

@@ -2,7 +2,9 @@
 // The scene as shading needs it: where a hit lies, which way it faces, what its material is there.
 // Not part of the folder's public face.
 
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
@@ -97,8 +99,16 @@ class Surfaces {
 
   /// `direction`: the ray that found the hit (only its sense relative to the surface matters).
   [[nodiscard]] SurfacePoint pointAt(const Hit& hit, const glm::vec3& direction) const;
-  /// Geometric normal of a hit, unit, on the side that faces against `direction`.
-  [[nodiscard]] glm::vec3 facingNormal(const Hit& hit, const glm::vec3& direction) const;
+  /// Geometric normal in world space, unit, on the side that faces against `direction`. `traced`: the
+  /// normal of a triangle of that instance as Embree gives it (EmbreeScene::PacketHits).
+  [[nodiscard]] glm::vec3 facingNormal(std::uint32_t instance, const glm::vec3& traced,
+                                       const glm::vec3& direction) const {
+    const Placement& p = placements_[instance];
+    const glm::vec3 normal = p.flattened ? traced : p.worldNormalFromObject * traced;
+    const float squared = glm::dot(normal, normal);
+    if (!(squared > 0.0f && std::isfinite(squared))) return -glm::normalize(direction);
+    return normal * (std::copysign(1.0f, -glm::dot(normal, direction)) / std::sqrt(squared));
+  }
   /// World-space corners of a triangle in the order of the mesh.
   struct Corners {
     glm::vec3 a{0.0f}, b{0.0f}, c{0.0f};

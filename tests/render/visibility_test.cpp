@@ -46,6 +46,20 @@ TEST(Visibility, NormalsFaceTheCameraOnBothSidesOfASurface) {
   EXPECT_NEAR(back.normal(2, 2).z, -1.0f, 1e-6f);
 }
 
+TEST(Visibility, NormalsOfMillimetresFarAwayAreGood) {
+  // A square of 1 mm, 20 m away. Its edges may be found as differences of corners as seen from the eye, which
+  // are rounded to 2^-20 m = 1e-6 m: each end is at most half of that off, so an edge turns by at most 1e-3,
+  // the normal of two edges by 1.5e-3.
+  Scene scene;
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
+  tests::place(scene, tests::quad({-5e-4f, -4e-4f, -3e-4f}, {1e-3f, 0.0f, 0.0f}, {0.0f, 8e-4f, 6e-4f}, 0));
+  const Visibility v =
+      makePathRenderer(scene, {})->visibility(lookingAt({0, 0, 20}, {0, 0, 0}, {9, 9}, 3e-5));
+  for (const glm::vec3& normal : v.normal.pixels()) {
+    EXPECT_LT(glm::length(normal - glm::vec3(0.0f, -0.6f, 0.8f)), 1.5e-3f);
+  }
+}
+
 TEST(Visibility, OfASphereIsExactUpToItsFacets) {
   Scene scene;
   scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
