@@ -49,8 +49,16 @@ void addTone(CLI::App& verb, std::string& tone, std::string& unit) {
 }
 
 void addRender(CLI::App& verb, RenderOptions& o) {
-  verb.add_option("scene", o.scene, "Scene: .glb or .gltf")->required();
+  verb.add_option("scene", o.scene,
+                  "Scene: .glb or .gltf; with --renderer what the command reads, or nothing");
   verb.add_option("--path", o.path, "Camera path: a file, or an animation or camera of the scene by name");
+  verb.add_option("--renderer", o.renderer,
+                  "Command that renders a keyframe, with {frame}, {camera}, {out} and {scene} in it: nothing "
+                  "is ray traced then (docs/external-renderers.md)");
+  verb.add_option(
+      "--from", o.from,
+      "Folder of OpenEXR frames with Z that another renderer made: those that are missing between "
+      "them are made");
   verb.add_option("--out", o.out, "Folder for frames, video and report")->required();
   verb.add_option("--size", o.size, "Frame size in pixels")->capture_default_str();
   verb.add_option("--fps", o.fps, "Frame rate (default: the path's, else 25)");

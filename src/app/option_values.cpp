@@ -23,6 +23,8 @@ constexpr std::array kValues = {
     Values{"output", "FILE"},
     Values{"folder", "DIR"},
     Values{"--out", "DIR"},
+    Values{"--renderer", "COMMAND"},
+    Values{"--from", "DIR"},
     Values{"--path", "NAME|FILE"},
     Values{"--size", "WxH"},
     Values{"--fps", "RATE"},

@@ -15,7 +15,9 @@ namespace promenade::app {
 
 struct RenderOptions {
   std::string scene;
-  std::string path;  ///< empty: the scene's first camera animation
+  std::string path;      ///< empty: the scene's first camera animation
+  std::string renderer;  ///< command that renders a keyframe; empty: none
+  std::string from;      ///< folder of another renderer's frames; empty: none
   std::string out;
   std::string size = "1280x720";
   std::string fps;     ///< empty: the path's, else 25

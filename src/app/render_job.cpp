@@ -44,6 +44,7 @@ Environment skyFrom(const std::string& sun) {
 // what is resolved into `Settings`, enters the hash as such.
 bool decidesPixels(const std::string& option) {
   static constexpr std::string_view kDoNot[] = {"path",
+                                                "from",
                                                 "out",
                                                 "fps",
                                                 "frames",
@@ -208,6 +209,13 @@ std::string lightHash(const RenderOptions& options, const Scene& scene) {
 }
 
 LoadedJob loadJob(const RenderOptions& options) {
+  for (const auto& [name, value] :
+       {std::pair("--from", options.from), std::pair("--renderer", options.renderer)}) {
+    if (!value.empty()) {
+      throw InputError(std::string(name) + ": frames of other renderers are for promenade render alone");
+    }
+  }
+  if (options.scene.empty()) throw InputError("scene is required (promenade render --help)");
   LoadedJob job;
   job.options = options;
   job.values = renderValues(options);

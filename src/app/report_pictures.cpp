@@ -87,7 +87,8 @@ const std::vector<SourceLook>& sourceLooks() {
       {SampleSource::kWarpedFromNext, "next", "warped from the keyframe after", Rgb(0.80f, 0.47f, 0.65f)},
       {SampleSource::kBlended, "blended", "blended of both", Rgb(0.0f, 0.62f, 0.45f)},
       {SampleSource::kTracedHole, "hole", "hole, ray traced", Rgb(0.84f, 0.37f, 0.0f)},
-      {SampleSource::kTracedItem, "item", "item, ray traced", Rgb(0.94f, 0.89f, 0.26f)}};
+      {SampleSource::kTracedItem, "item", "item, ray traced", Rgb(0.94f, 0.89f, 0.26f)},
+      {SampleSource::kUnknown, "unknown", "nobody knows (keyframes of another renderer)", Rgb(0.35f)}};
   return looks;
 }
 

@@ -16,6 +16,7 @@ enum class SampleSource : std::uint8_t {
   kBlended = 3,
   kTracedHole = 4,
   kTracedItem = 5,
+  kUnknown = 6,  ///< coloured like its surroundings: nobody could trace it (walkthrough/frames_renderer.h)
 };
 using SourceMap = Map<struct SourceTag, SampleSource>;
 

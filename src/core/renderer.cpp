@@ -15,6 +15,10 @@ RayCounts& RayCounts::operator+=(const RayCounts& more) {
   return *this;
 }
 
+Visibility Renderer::visibilityAmong(const Camera& camera, std::span<const Frame* const>) const {
+  return visibility(camera);
+}
+
 Refined Renderer::refine(Frame& frame, const Mask& mask, PathRange paths, int frameIndex) const {
   if (paths.before == 0) retrace(frame, mask, SampleSource::kTraced, frameIndex);
   return {Mask(mask.size()), 0};

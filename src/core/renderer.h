@@ -2,6 +2,7 @@
 // What the walkthrough needs of a renderer, so that another renderer can stand in its place.
 
 #include <cstdint>
+#include <span>
 
 #include "src/core/frame.h"
 
@@ -46,6 +47,11 @@ class Renderer {
 
   /// Primary rays only: a few per cent of the cost of render().
   [[nodiscard]] virtual Visibility visibility(const Camera& camera) const = 0;
+
+  /// The same, where frames of the walk around it are known: a renderer that cannot trace has nothing else to
+  /// go by.
+  [[nodiscard]] virtual Visibility visibilityAmong(const Camera& camera,
+                                                   std::span<const Frame* const> known) const;
 
   /// Shades the samples selected by `mask` (the size of the camera) and writes them into `frame`, whose
   /// visibility is that of `camera`, marking them with `source`. `frameIndex` seeds the random numbers with

@@ -63,7 +63,7 @@ SourceMap resolveSource(const SourceMap& samples, int factor) {
   SourceMap pixels(displaySize(samples.size(), factor));
   for (int y = 0; y < pixels.height(); ++y) {
     for (int x = 0; x < pixels.width(); ++x) {
-      std::array<int, 6> votes{};
+      std::array<int, 7> votes{};
       for (int j = 0; j < factor; ++j) {
         for (int i = 0; i < factor; ++i) {
           ++votes[static_cast<std::size_t>(samples(x * factor + i, y * factor + j))];

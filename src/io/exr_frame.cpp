@@ -262,9 +262,9 @@ FrameFile readFrame(const fs::path& file) {
     if (has("Source")) {
       frame.source = SourceMap(size);
       for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (!(sources[i] >= 0.0f && sources[i] <= 5.0f)) {
+        if (!(sources[i] >= 0.0f && sources[i] <= 6.0f)) {
           throw InputError(file.string(),
-                           "channel Source: expected 0 to 5, found " + std::to_string(sources[i]));
+                           "channel Source: expected 0 to 6, found " + std::to_string(sources[i]));
         }
         frame.source.pixels()[i] = static_cast<SampleSource>(sources[i]);
       }

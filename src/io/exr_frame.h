@@ -28,7 +28,7 @@ struct FrameFile {
   NormalMap normal;      ///< N.X N.Y N.Z, half, world space
   PixelFlow flowToNext;  ///< Vector.X Vector.Y, float, pixels to the next frame; NaN where there is none
   ItemBuffer item;       ///< Item.ID, uint
-  SourceMap source;      ///< Source, half (0 to 5)
+  SourceMap source;      ///< Source, half (0 to 6)
 };
 
 /// Writes the file whole or not at all. The same frame gives the same bytes: no clock, no host name.

@@ -108,8 +108,17 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   statistics.holes = countSelected(retrace.holes);
   statistics.itemSamples = countSelected(items.traced);
   statistics.layered = countSelected(retrace.items) - statistics.itemSamples;
-  statistics.samplesTraced = statistics.holes + statistics.itemSamples;
-  statistics.warped = statistics.samples - statistics.samplesTraced;
+  const auto from = inbetween.frame.source.pixels();
+  const auto samplesFrom = [&](SampleSource source) {
+    return static_cast<std::uint64_t>(std::count(from.begin(), from.end(), source));
+  };
+  statistics.unknown = samplesFrom(SampleSource::kUnknown);
+  statistics.samplesTraced = statistics.holes - statistics.unknown + statistics.itemSamples;
+  if (samplesFrom(SampleSource::kTraced) == statistics.samples) {  // the renderer had to make a whole frame
+    statistics.kind = FrameKind::kKeyframe;
+    statistics.samplesTraced = statistics.samples;
+  }
+  statistics.warped = statistics.samples - statistics.samplesTraced - statistics.unknown;
   statistics.reused = reused;
   statistics.itemsTraced = retrace.traced.items();
   return inbetween;

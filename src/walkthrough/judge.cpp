@@ -1,5 +1,6 @@
 #include "src/walkthrough/judge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -168,8 +169,12 @@ Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const Ve
   statistics.differencePercent = aqm::percentVisible(look.metric.probability, excluded);
   statistics.maskedPercent = percentSelected(excluded);
   statistics.unverifiedPercent = percentSelected(resolveMask(pair.unverified, factor));
+  // Holes that stay are differences, too.
+  const double holesPercent = settings.holes == Holes::kStay ? statistics.maskedPercent : 0.0;
   statistics.decision =
-      statistics.differencePercent > settings.tolerancePercent ? Decision::kSplit : Decision::kAccept;
+      std::min(statistics.differencePercent + holesPercent, 100.0) > settings.tolerancePercent
+          ? Decision::kSplit
+          : Decision::kAccept;
   judgement.middle = {segment,
                       statistics.decision,
                       std::move(look.fromFirst),

@@ -67,7 +67,7 @@ Json jobJson(const Report& report) {
           {"integrator", job.integrator},
           {"light", job.light},
           {"spp", job.pathsPerSample ? Json(*job.pathsPerSample) : Json()},
-          {"spp_automatic", !job.pathsPerSample},
+          {"spp_automatic", s.stopping.has_value()},
           {"tone", nameOf(s.tone.curve)},
           {"exposure_ev", s.tone.exposureEv},
           {"luminance_unit", s.tone.candelasPerUnit},

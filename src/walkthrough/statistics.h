@@ -34,6 +34,7 @@ struct FrameStatistics {
   /// traced samples of the same frame around them.
   std::uint64_t layered = 0;
   std::uint64_t reused = 0;                    ///< of the warped, samples that no keyframe could fill
+  std::uint64_t unknown = 0;                   ///< holes that nobody could trace (SampleSource::kUnknown)
   std::optional<StoppingStatistics> stopping;  ///< nothing: the number of paths was given
   RayCounts rays;                              ///< for this frame alone
   double seconds = 0.0;

@@ -49,6 +49,7 @@ FrameStatistics frameFrom(const nlohmann::json& value) {
           .warped = value.at("warped"),
           .layered = value.at("layered"),
           .reused = value.at("reused"),
+          .unknown = value.at("unknown"),
           .stopping = stoppingFrom(value),
           .rays = countsFrom(value.at("rays")),
           .seconds = value.at("seconds")};
@@ -85,13 +86,14 @@ Json toJson(const SegmentStatistics& statistics) {
 
 Json toJson(const FrameStatistics& frame) {
   const auto& [index, kind, samples, samplesTraced, holes, itemSamples, itemsTraced, warped, layered, reused,
-               stopping, rays, seconds] = frame;
+               unknown, stopping, rays, seconds] = frame;
   Json json = {{"index", index},       {"kind", kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
                {"samples", samples},   {"samples_traced", samplesTraced},
                {"holes", holes},       {"items_traced", itemSamples},
                {"items", itemsTraced}, {"warped", warped},
                {"reused", reused},     {"layered", layered},
-               {"rays", toJson(rays)}, {"seconds", seconds}};
+               {"unknown", unknown},   {"rays", toJson(rays)},
+               {"seconds", seconds}};
   if (stopping) {
     const auto& [paths, mostPaths, predictedPercent, openTiles] = *stopping;
     json.update({{"paths", paths},

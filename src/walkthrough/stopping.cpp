@@ -134,6 +134,11 @@ Visibility StoppingRenderer::visibility(const Camera& camera) const {
   return renderer_.visibility(camera);
 }
 
+Visibility StoppingRenderer::visibilityAmong(const Camera& camera,
+                                             std::span<const Frame* const> known) const {
+  return renderer_.visibilityAmong(camera, known);
+}
+
 void StoppingRenderer::retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const {
   trace(frame, mask, frameIndex);
   for (std::size_t i = 0; i < mask.pixels().size(); ++i) {

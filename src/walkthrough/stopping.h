@@ -33,6 +33,8 @@ class StoppingRenderer final : public Renderer {
   StoppingRenderer(const Renderer& renderer, const Settings& settings);
 
   [[nodiscard]] Visibility visibility(const Camera& camera) const override;
+  [[nodiscard]] Visibility visibilityAmong(const Camera& camera,
+                                           std::span<const Frame* const> known) const override;
   void retrace(Frame& frame, const Mask& mask, SampleSource source, int frameIndex) const override;
   [[nodiscard]] Refined refine(Frame& frame, const Mask& mask, PathRange paths,
                                int frameIndex) const override;

@@ -137,13 +137,15 @@ class Walk {
     keyframe(segment.last);
   }
 
-  WarpedPair warpTo(int index, const Segment& segment) {
+  WarpedPair warpTo(int index, const Segment& segment, const std::vector<const Inbetween*>& others) {
     const Frame& first = keyframe(segment.first);
     const Frame& last = keyframe(segment.last);
     WarpedPair pair;
     {
       const Stopwatch watch(statistics_.seconds.visibility);
-      pair.target = renderer_.visibility(sampleCamera(index));
+      std::vector<const Frame*> known{&first, &last};
+      for (const Inbetween* other : others) known.push_back(&other->frame);
+      pair.target = renderer_.visibilityAmong(sampleCamera(index), known);
     }
     const Stopwatch watch(statistics_.seconds.warp);
     pair.fromFirst = ibr::gatherWarp(first, pair.target, settings_.warp);
@@ -169,7 +171,7 @@ class Walk {
     RayCounts rays;
     {
       const RayMeter meter(renderer_, rays);
-      middle.warped = warpTo(middle.index, segment);
+      middle.warped = warpTo(middle.index, segment, {});
       judgement = judgementOf(segment, middle.warped);
     }
     judgement.statistics.rays = rays;
@@ -227,7 +229,8 @@ class Walk {
     const int middle = first + (last - first) / 2;
     const Inbetween made = makeInbetween(middle, segment, sources);
     std::vector<const Inbetween*> more = sources;
-    if (made.statistics.holes > 0) more.push_back(&made);
+    // What nobody knows is no source of anything.
+    if (made.statistics.holes > made.statistics.unknown) more.push_back(&made);
     finishBetween(segment, first, middle, more);
     output(middle, made.frame, made.statistics);
     finishBetween(segment, middle, last, more);
@@ -240,7 +243,7 @@ class Walk {
     {
       const RayMeter meter(renderer_, rays);
       InbetweenSources sources;
-      sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment);
+      sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment, others);
       sources.others = warpOthersTo(sources.keyframes.target, others);
       made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, settings_.supersample,
                         statistics_.seconds);

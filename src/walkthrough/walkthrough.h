@@ -24,6 +24,12 @@ enum class Method {
   kFull,        ///< every frame traced: the reference
 };
 
+/// What becomes of samples that no keyframe fills.
+enum class Holes {
+  kTraced,  ///< the renderer traces them: they cost, and are right
+  kStay,    ///< nobody can: a viewer sees them, and they count as differences when a segment is judged
+};
+
 /// When a frame has had enough paths (stopping.h).
 struct StoppingRule {
   /// Tiles of which at most so many per cent of the pixels differ visibly between two frames rendered like
@@ -41,6 +47,7 @@ struct Settings {
   Method method = Method::kImageBased;
   double tolerancePercent = 3.0;  ///< of the remaining pixels with P > 0.75; above it a segment is split
   int keyframeSpacing = 16;       ///< frames of a first segment
+  Holes holes = Holes::kTraced;
   /// Share of the warped samples of a segment's middle that are ray traced to check the warp, in [0, 1]; 0:
   /// none.
   double probeShare = 0.01;

@@ -61,7 +61,7 @@ TEST(ReportPage, HoldsTheReportAsItStandsWhateverIsInIt) {
   EXPECT_FALSE(root["pictures"]["frames"][1].contains("source"));
   EXPECT_EQ(root["comparison"]["percent_visible_mean"], 2.5);  // (1 + 4) / 2
   EXPECT_EQ(root["comparison"]["worst_frame"], 4);
-  EXPECT_EQ(root["sources"].size(), 6u);
+  EXPECT_EQ(root["sources"].size(), 7u);
 }
 
 TEST(ReportPage, IsWholeAndAsksForNothing) {

@@ -129,6 +129,7 @@ TEST(ReportJson, TellsWhatPerceptualStoppingSpentAndPredicts) {
   Report r = threeFrames();
   EXPECT_TRUE(json::parse(reportJson(r))["totals"]["stopping"].is_null());
   r.job.pathsPerSample.reset();
+  r.settings.stopping = StoppingRule{};
   for (FrameStatistics& frame : r.statistics.frames) {
     frame.stopping = StoppingStatistics{.paths = 1000, .mostPaths = 32, .predictedPercent = 0.25};
   }

@@ -1,0 +1,21 @@
+#pragma once
+// From a job and its renderer to frames, video and report; what an earlier run finished is not done again.
+
+#include <functional>
+
+#include "src/app/console.h"
+#include "src/app/exit_status.h"
+#include "src/app/output_folder.h"
+#include "src/app/preparation.h"
+#include "src/app/render_job.h"
+
+namespace promenade::app {
+
+/// Decides what is decided once for the job before its first frame, and makes its renderer.
+using PrepareWalk = std::function<PreparedJob(const OutputFolder&)>;
+
+/// Renders `parts` of the job (those of partsOf(), or others that cover its frames) into the job's folder.
+ExitStatus runWalk(const LoadedJob& job, const walkthrough::Plan& parts, int threads,
+                   const PrepareWalk& prepareWalk, Console& console);
+
+}  // namespace promenade::app

@@ -1,0 +1,136 @@
+// Walks made of frames that another renderer made: --from and --renderer.
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "src/io/exr_frame.h"
+#include "tests/e2e/tiny_scene.h"
+
+namespace promenade::e2e {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+using testing::HasSubstr;
+
+nlohmann::json reportOf(const std::string& folder) {
+  return nlohmann::json::parse(contents(folder + "/report.json"));
+}
+
+double worstVisiblePercent(const std::string& test, const std::string& reference) {
+  const Outcome outcome = run({"compare", test, reference, "--json", "--quiet"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out)["percent_visible_worst"];
+}
+
+// The wall of two plain quads differs at its outline only, where silhouettes are right to half a sample. It
+// is 4 m by 3 m, 4 m away; 54 rows in 0.8 radians make 27 / tan(0.4) = 64 pixels a metre at 1 m, so 64 by 48
+// pixels: an outline of 224 of the 5184 pixels, 4.3%, three pixels wide as the metric pools.
+constexpr double kOutlinePercent = 13.0;
+
+class Foreign : public InFolder {
+ protected:
+  // Every frame of a walk past two painted quads, as if another renderer had made them.
+  void SetUp() override {
+    InFolder::SetUp();
+    scene_ = writeScene(folder_, "scene", With::kAll).string();
+    expectDone(run({"render", scene_, "--out", at("all"), "--size", "96x54", "--supersample", "1", "--spp",
+                    "4", "--integrator", "path", "--method", "full", "--exposure", "0"}));
+  }
+
+  std::string scene_;
+};
+
+TEST_F(Foreign, MissingFramesAreMadeFromThoseThatAreThere) {
+  fs::create_directories(at("keys"));
+  for (const char* frame : {"000000.exr", "000008.exr", "000016.exr", "000024.exr"}) {
+    fs::copy(at("all/frames") + "/" + frame, at("keys") + "/shot." + frame);
+  }
+  expectDone(
+      run({"render", "--from", at("keys"), "--out", at("out"), "--supersample", "1", "--exposure", "0"}));
+  EXPECT_EQ(framesIn(at("out")), 25);
+  const auto report = reportOf(at("out"));
+  EXPECT_EQ(report["totals"]["keyframes"], 4);
+  EXPECT_EQ(report["totals"]["samples_traced"], 4 * 96 * 54);
+  EXPECT_LT(worstVisiblePercent(at("out"), at("all")), kOutlinePercent);
+  // The camera passes sideways: both ends see all of the wall but what the borders cut off, and the
+  // background.
+  EXPECT_EQ(io::readFrame(at("out/frames/000004.exr")).source(48, 27), SampleSource::kBlended);
+}
+
+TEST_F(Foreign, FramesOnAPathOfTheirOwnBeginAndEndWithKnownOnes) {
+  fs::create_directories(at("keys"));
+  fs::copy(at("all/frames/000004.exr"), at("keys/000004.exr"));
+  fs::copy(at("all/frames/000009.exr"), at("keys/000009.exr"));
+  expectDone(run({"render", "--from", at("keys"), "--out", at("out"), "--supersample", "1"}));
+  EXPECT_EQ(framesIn(at("out")), 6);
+  expectRefused(
+      run({"render", "--from", at("keys"), "--out", at("other"), "--supersample", "1", "--frames", "5-9"}),
+      "expected frames 5 and 9");
+  expectRefused(run({"render", "--from", at("nowhere"), "--out", at("other")}),
+                "expected a folder of frames");
+  expectRefused(run({"render", "--from", at("keys"), "--out", at("other"), "--supersample", "5"}),
+                "no multiple of 5");
+  expectRefused(
+      run({"render", "--from", at("keys"), "--out", at("out"), "--supersample", "1", "--exposure", "1"}),
+      "holds frames of another job");
+}
+
+TEST_F(Foreign, KeyframesAreAskedForOneByOne) {
+  const std::string command = "printf '%d\\n' {frame} >> " + at("asked") + "; cp " + at("all") +
+                              "/frames/$(printf %06d {frame}).exr {out}";
+  const Arguments job = {"render",     scene_,  "--renderer",    command, "--out",     at("out"),
+                         "--size",     "96x54", "--supersample", "1",     "--spacing", "8",
+                         "--exposure", "0",     "--tolerance",   "13"};
+  expectDone(run(job));
+  EXPECT_EQ(framesIn(at("out")), 25);
+  const auto report = reportOf(at("out"));
+  const std::string asked = contents(at("asked"));
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), '\n'), report["totals"]["keyframes"].get<int>());
+  EXPECT_LT(report["totals"]["keyframes"], 25);
+  EXPECT_LT(worstVisiblePercent(at("out"), at("all")), kOutlinePercent);
+  const auto request = nlohmann::json::parse(contents(at("out/external/000008.json")));
+  EXPECT_EQ(request["width"], 96);
+  EXPECT_NEAR(request["vertical_fov"].get<double>(), 0.8, 1e-6);
+  // Going on asks for nothing that is there.
+  fs::remove(at("out/frames/000003.exr"));
+  expectDone(run(job));
+  EXPECT_EQ(contents(at("asked")), asked);
+}
+
+TEST_F(Foreign, ARendererThatFailsEndsTheRunWithItsCommand) {
+  const auto with = [&](const std::string& command) {
+    return run({"render", scene_, "--renderer", command, "--out", at("out"), "--size", "96x54",
+                "--supersample", "1"});
+  };
+  EXPECT_THAT(with("exit 7 # {frame} {out}").error(), HasSubstr("failed with exit status 7"));
+  EXPECT_THAT(with("true {camera} {out}").error(), HasSubstr("left no"));
+  expectRefused(with("true"), "expected a command with {out}");
+  expectRefused(with("cp " + scene_ + " {out} # {frame}"), "cannot read as OpenEXR");
+}
+
+class Blender : public InFolder {};
+
+TEST_F(Blender, RendersKeyframesWhenItIsAsked) {
+  if (std::system("blender --version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "SKIPPED: blender is not installed (Debian: apt-get install blender python3-numpy)";
+  }
+  const auto scene = writeScene(folder_, "scene", With::kAll);
+  const std::string command =
+      std::string("blender -b --factory-startup -P ") + PROMENADE_SOURCE_DIR +
+      "/examples/blender/render_frame.py -- --camera {camera} --out {out} --scene {scene} "
+      "--samples 1 --environment 1,1,1";
+  const Outcome outcome =
+      Process({"render", scene, "--renderer", command, "--out", at("out"), "--size", "64x36", "--supersample",
+               "1", "--frames", "0-2", "--spacing", "2", "--exposure", "0"})
+          .wait(std::chrono::seconds(300));
+  expectDone(outcome);
+  EXPECT_EQ(framesIn(at("out")), 3);
+  // Promenade's own depth of the same frame: the wall at z = -3, seen from z = 1.
+  const auto frame = io::readFrame(at("out/frames/000000.exr"));
+  EXPECT_NEAR(frame.depth(32, 18), 4.0f, 1e-3f);
+}
+
+}  // namespace
+}  // namespace promenade::e2e

@@ -1,0 +1,161 @@
+#include "src/walkthrough/frames_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "src/walkthrough/walkthrough.h"
+#include "tests/walkthrough/analytic_renderer.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+using tests::AnalyticRenderer;
+using tests::Panel;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+paths::CameraPath strafe(int frames, double step) {
+  paths::CameraPath path;
+  for (int i = 0; i < frames; ++i) {
+    Pose pose;
+    pose.eye.x = i * step;
+    path.frames.push_back({pose, 1.0});
+  }
+  return path;
+}
+
+Settings settingsFor(const paths::CameraPath& path) {
+  Settings settings;
+  settings.size = {64, 36};
+  settings.supersample = 1;
+  settings.frames = {0, path.frameCount() - 1};
+  settings.tone.curve = ToneCurve::kLinear;
+  settings.holes = Holes::kStay;
+  settings.probeShare = 0.0;
+  return settings;
+}
+
+TEST(FramesRenderer, MakesFramesBetweenThatAreCloseToTheRealOnesAndMarksWhatNobodyKnows) {
+  const AnalyticRenderer real(Panel::kMatt);
+  const FramesRenderer frames([&](const Camera& camera, int index) { return real.render(camera, index); }, {},
+                              100.0);
+  const auto path = strafe(9, 0.05);
+  Settings settings = settingsFor(path);
+  settings.tolerancePercent = 100.0;
+  std::size_t unknown = 0;
+  Outputs outputs;
+  outputs.frame = [&](FinishedFrame&& frame) {
+    const Frame expected = real.render(path.camera(frame.index, settings.size), frame.index);
+    for (int y = 0; y < settings.size.height; ++y) {
+      for (int x = 0; x < settings.size.width; ++x) {
+        if (frame.source(x, y) == SampleSource::kUnknown) {
+          ++unknown;
+          continue;
+        }
+        if (frame.visibility.item(x, y) != expected.visibility.item(x, y))
+          continue;  // silhouettes: half a sample
+        // The waves change by 0.4 a metre, a sample is 6 / 33 = 0.18 m wide: half a sample is 0.036.
+        EXPECT_NEAR(frame.radiance(x, y).x, expected.diffuse(x, y).x, 0.04f)
+            << frame.index << ": " << x << "," << y;
+      }
+    }
+  };
+  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, outputs);
+  EXPECT_EQ(statistics.keyframes(), 2);
+  std::uint64_t counted = 0;
+  for (const FrameStatistics& frame : statistics.frames) {
+    counted += frame.unknown;
+    if (frame.kind == FrameKind::kInbetween) {
+      EXPECT_EQ(frame.samplesTraced, 0u);
+    }
+  }
+  EXPECT_EQ(counted, unknown);
+  // The column hides up to 2 samples of wall from both ends at once, in at most 7 frames of 36 rows.
+  EXPECT_LT(unknown, 7u * 36u * 3u);
+}
+
+TEST(FramesRenderer, AsksForMoreFramesWhereNothingIsKnown) {
+  const AnalyticRenderer real(Panel::kMatt);
+  int asked = 0;
+  const FramesRenderer frames(
+      [&](const Camera& camera, int index) {
+        ++asked;
+        return real.render(camera, index);
+      },
+      {}, 3.0);
+  // Turning away by more than the view is wide: the middle shows what neither end does.
+  auto path = strafe(9, 0.0);
+  for (int i = 0; i < 9; ++i) {
+    const double angle = 0.4 * i;
+    path.frames[static_cast<std::size_t>(i)].pose.worldFromCamera =
+        glm::dmat3(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle));
+  }
+  Settings settings = settingsFor(path);
+  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});
+  EXPECT_GT(statistics.keyframes(), 2);
+  EXPECT_EQ(asked, statistics.keyframes());
+}
+
+TEST(FramesRenderer, HasAFrameMadeOfWhichTooMuchIsUnknown) {
+  const AnalyticRenderer real(Panel::kMatt);
+  const auto path = strafe(9, 0.05);
+  const Settings settings = settingsFor(path);
+  for (const double mostUnknownPercent : {0.0, 100.0}) {
+    const FramesRenderer frames([&](const Camera& camera, int index) { return real.render(camera, index); },
+                                {}, mostUnknownPercent);
+    const Camera camera = path.camera(3, settings.size);
+    Frame frame = unshaded(frames.visibility(camera));
+    frames.retrace(frame, Mask(settings.size), SampleSource::kTracedHole, 3);  // nothing is open
+    EXPECT_EQ(frame.visibility.item(20, 20), kNoItem);
+    Mask one(settings.size);
+    one(20, 20) = 1;
+    frames.retrace(frame, one, SampleSource::kTracedHole, 3);
+    const bool isMade = mostUnknownPercent == 0.0;
+    EXPECT_EQ(frame.source(20, 20), isMade ? SampleSource::kTraced : SampleSource::kUnknown);
+    EXPECT_EQ(frame.diffuse(40, 30), isMade ? real.render(camera, 3).diffuse(40, 30) : Rgb(0.0f));
+  }
+}
+
+TEST(FramesRenderer, FramesThatHadToBeMadeCountAsKeyframesAndServeTheOthers) {
+  const AnalyticRenderer real(Panel::kMatt);
+  int asked = 0;
+  const FramesRenderer frames(
+      [&](const Camera& camera, int index) {
+        ++asked;
+        return real.render(camera, index);
+      },
+      {}, 0.0);
+  const auto path = strafe(9, 0.05);
+  Settings settings = settingsFor(path);
+  settings.tolerancePercent = 100.0;  // no segment is split
+  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});
+  EXPECT_GT(asked, 2);
+  EXPECT_EQ(statistics.keyframes(), asked);
+  for (const FrameStatistics& frame : statistics.frames) {
+    EXPECT_EQ(frame.unknown, 0u) << frame.index;
+    EXPECT_EQ(frame.samplesTraced, frame.kind == FrameKind::kKeyframe ? frame.samples : 0u) << frame.index;
+  }
+}
+
+TEST(Surroundings, FillAHoleWithWhatIsFarBesideIt) {
+  RadianceMap radiance(5, 1, Rgb(1.0f));
+  DepthMap depth(5, 1, 2.0f);
+  Mask open(5, 1);
+  radiance(3, 0) = radiance(4, 0) = Rgb(0.25f);
+  depth(3, 0) = depth(4, 0) = 9.0f;
+  open(2, 0) = 1;
+  depth(2, 0) = kInfinity;
+  const RadianceMap filled = surroundings(radiance, depth, open);
+  EXPECT_EQ(filled(2, 0), Rgb(0.25f));
+  EXPECT_EQ(filled(1, 0), Rgb(1.0f));
+}
+
+TEST(Surroundings, OfNothingAreLeftAsTheyAre) {
+  const RadianceMap radiance(2, 2, Rgb(0.0f));
+  EXPECT_EQ(surroundings(radiance, DepthMap(2, 2, kInfinity), Mask(2, 2, 1))(1, 1), Rgb(0.0f));
+}
+
+}  // namespace
+}  // namespace promenade::walkthrough
