@@ -139,6 +139,8 @@ double estimatedSpeedup(const Report& report) {
     samples += frame.samplesTraced;
   }
   if (samples == 0 || !(report.wallSeconds > 0.0)) return 0.0;
+  // Of another renderer we see files, which may have been there already.
+  if (report.settings.holes == Holes::kStay) return 0.0;
   const OutsideSeconds& o = report.seconds;
   const double same = o.load + o.indirect + o.prepare + o.encode + o.write + s.seconds.filter;
   const double traced = seconds / static_cast<double>(samples) * static_cast<double>(s.samples());
