@@ -26,6 +26,17 @@ paths::CameraPath strafe(int frames, double step) {
   return path;
 }
 
+/// About the eye's upright axis, `step` radians a frame.
+paths::CameraPath turn(int frames, double step) {
+  auto path = strafe(frames, 0.0);
+  for (int i = 0; i < frames; ++i) {
+    const double angle = step * i;
+    path.frames[static_cast<std::size_t>(i)].pose.worldFromCamera =
+        glm::dmat3(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle));
+  }
+  return path;
+}
+
 Settings settingsFor(const paths::CameraPath& path) {
   Settings settings;
   settings.size = {64, 36};
@@ -86,12 +97,7 @@ TEST(FramesRenderer, AsksForMoreFramesWhereNothingIsKnown) {
       },
       {}, 3.0);
   // Turning away by more than the view is wide: the middle shows what neither end does.
-  auto path = strafe(9, 0.0);
-  for (int i = 0; i < 9; ++i) {
-    const double angle = 0.4 * i;
-    path.frames[static_cast<std::size_t>(i)].pose.worldFromCamera =
-        glm::dmat3(std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle));
-  }
+  const auto path = turn(9, 0.4);
   Settings settings = settingsFor(path);
   const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});
   EXPECT_GT(statistics.keyframes(), 2);
@@ -127,7 +133,7 @@ TEST(FramesRenderer, FramesThatHadToBeMadeCountAsKeyframesAndServeTheOthers) {
         return real.render(camera, index);
       },
       {}, 0.0);
-  const auto path = strafe(9, 0.05);
+  const auto path = turn(9, 0.4);  // by more than the view is wide
   Settings settings = settingsFor(path);
   settings.tolerancePercent = 100.0;  // no segment is split
   const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});

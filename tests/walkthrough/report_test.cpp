@@ -120,7 +120,8 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
       "decision": "accept", "depth": 1, "rays": {"visibility": 40, "primary": 0, "scattered": 0, "shadow": 0}}])"));
   EXPECT_EQ(root["frames"][1],
             json::parse(R"({"index": 5, "kind": "inbetween", "samples": 200, "samples_traced": 20, "holes": 5,
-      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "seconds": 0.5,
+      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "unknown": 0,
+      "seconds": 0.5,
       "rays": {"visibility": 200, "primary": 20, "scattered": 100, "shadow": 50}})"));
   EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
 }
