@@ -40,6 +40,17 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
 }
 
 /// One walk from beginning to end. Holds the keyframes that are still needed and nothing older.
+/// The first of the frames up to `frame` that all have its camera; `frame` itself where the camera moves.
+int stillSince(const paths::CameraPath& path, int frame) {
+  const auto alike = [](const paths::PathFrame& a, const paths::PathFrame& b) {
+    return a.pose.worldFromCamera == b.pose.worldFromCamera && a.pose.eye == b.pose.eye &&
+           a.verticalFieldOfView == b.verticalFieldOfView;
+  };
+  auto i = static_cast<std::size_t>(frame);
+  while (i > 0 && alike(path.frames[i - 1], path.frames[i])) --i;
+  return static_cast<int>(i);
+}
+
 class Walk {
  public:
   Walk(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
@@ -77,7 +88,8 @@ class Walk {
     {
       const Stopwatch watch(seconds);
       const RayMeter meter(renderer_, made.statistics.rays);
-      made.frame = renderer_.render(sampleCamera(index), index);
+      // While the camera stands every frame gets the same random numbers: nobody may see noise come and go.
+      made.frame = renderer_.render(sampleCamera(index), stillSince(path_, index));
     }
     made.statistics.index = index;
     made.statistics.kind = FrameKind::kKeyframe;

@@ -123,6 +123,23 @@ TEST(Walkthrough, OfAStillCameraTracesKeyframesOnlyAndChangesNothing) {
   }
 }
 
+TEST(Walkthrough, FullFramesOfAStandingCameraAreIdentical) {
+  // Moves, stands in frames 2 to 4, and comes back later to where it was.
+  paths::CameraPath path = still(8);
+  const double at[] = {0.0, 0.1, 0.2, 0.2, 0.2, 0.3, 0.2, 0.2};
+  for (std::size_t i = 0; i < 8; ++i) path.frames[i].pose.eye.x = at[i];
+  Settings settings = settingsFor(path);
+  settings.method = Method::kFull;
+  const auto frames = walk(path, AnalyticRenderer(Panel::kMatt, 0.1), settings).frames;
+  const auto difference = [&](int a, int b) {
+    return largestDifference(frames.at(a).radiance, frames.at(b).radiance);
+  };
+  EXPECT_EQ(difference(2, 3), 0.0);
+  EXPECT_EQ(difference(2, 4), 0.0);
+  EXPECT_EQ(difference(6, 7), 0.0);
+  EXPECT_GT(difference(2, 6), 0.0);  // other random numbers: errors do not add up over the walk
+}
+
 TEST(Walkthrough, DeliversEveryFrameOnceInTheOrderOfTime) {
   for (const double step : {0.0, 0.02, 0.4}) {
     const auto path = strafe(21, step);
