@@ -16,6 +16,9 @@ namespace promenade::ibr {
 namespace {
 
 constexpr int kFewest = 3;  ///< a plane through fewer is a guess
+/// Between the largest and the smallest of the 8 samples that are usually known around one, in standard
+/// deviations of normal noise: exceeded by one in forty (the mean is 2.85; Tippett 1925).
+constexpr float kRangeOfNoise = 4.5f;
 
 /// Weighted least squares of value = c + g.d for c, the value at d = 0, with a little ridge on g: c = sum w_k
 /// (q . (1, d_k)) v_k, with M q = (1, 0, 0), M the matrix of moments. Here sums are kept as they are, since
@@ -88,7 +91,9 @@ class Interpolation {
     }
     if (count < kFewest) return std::nullopt;
     const float mean = whole / static_cast<float>(count);
-    if (high - low > static_cast<float>(settings_.largestRange) * mean) return std::nullopt;
+    const float noise = settings_.noise ? settings_.noise(frame_.visibility.item(x, y)) : 0.0f;
+    const float largestRange = static_cast<float>(settings_.largestRange) + kRangeOfNoise * noise;
+    if (high - low > largestRange * mean) return std::nullopt;
     return fit.value();
   }
 

@@ -2,6 +2,8 @@
 // The view-dependent layer of a surface where it is known at some of its samples: what a surface that is not
 // a mirror reflects changes more slowly over it than its texture.
 
+#include <functional>
+
 #include "src/core/frame.h"
 
 namespace promenade::ibr {
@@ -12,6 +14,10 @@ struct ViewLayerSettings {
   /// layers), they do not tell what lies between them. > 0.
   /// What is missed is at most about half of that: a crest between them.
   double largestRange = 0.08;
+  /// Standard deviation of a known sample's noise, as a share of its luminance (both layers); empty: 0
+  /// everywhere. Noise is not structure: the range may be wider by what so many samples differ by chance, and
+  /// what is fitted to them is cleaner than any of them.
+  std::function<float(ItemId)> noise = {};
   double creaseDegrees = 30.5;  ///< as in WarpSettings
 };
 

@@ -12,6 +12,9 @@ namespace promenade {
 struct ItemTraits {
   /// Strongly specular, glossy or transparent by its material: warping may show a wrong reflection.
   bool viewDependent = false;
+  /// Standard deviation that may be left in a traced sample's view-dependent radiance, as a share of all it
+  /// shows. 0: none, as in a mirror.
+  float noise = 0.0f;
 };
 
 /// Ray counts since the renderer was made, all threads.

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 
+#include "src/render/path_tracer_internal.h"
+
 namespace promenade::render {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr float kSmoothDielectric = 0.35f;
 constexpr float kLeastClearcoat = 0.05f;
 constexpr float kSmoothClearcoat = 0.5f;
 constexpr double kSomewhere = 0.02;
+constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample
 
 /// Values of a channel below and above which 2% of the texels lie, in [0, 1].
 struct Range {
@@ -74,13 +77,23 @@ bool isViewDependent(const Material& m, ChannelRanges& ranges) {
   return reflects && roughness < kSmoothDielectric;
 }
 
+/// What is reflected or transmitted by chance is noisy; mirrors and clear panes are not.
+float noiseOf(const Material& m, ChannelRanges& ranges) {
+  const float roughness = m.roughness * ranges.of(m.metallicRoughnessTexture, 1).low;
+  const bool coatIsClear =
+      m.clearcoat > 0.0f && m.clearcoatRoughness * ranges.of(m.clearcoatRoughnessTexture, 1).low < kClear;
+  return roughness < kClear || coatIsClear || m.alphaMode == AlphaMode::kBlend ? 0.0f : kStrongNoise;
+}
+
 }  // namespace
 
 std::vector<ItemTraits> itemTraits(const Scene& scene) {
   ChannelRanges ranges(scene);
   std::vector<ItemTraits> materials;
   materials.reserve(scene.materials.size());
-  for (const Material& material : scene.materials) materials.push_back({isViewDependent(material, ranges)});
+  for (const Material& material : scene.materials) {
+    materials.push_back({isViewDependent(material, ranges), noiseOf(material, ranges)});
+  }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {

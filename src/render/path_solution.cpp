@@ -17,10 +17,10 @@ constexpr float kLeastTraced = 0.002f;
 /// reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
 /// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
-/// bright one), and up to so many until the standard error of a sample is this share of all it shows.
+/// bright one), and up to so many until the standard error of a sample is kStrongNoise or, if it is faint or
+/// its numbers are shared, this share of all it shows.
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 128;
-constexpr float kStrongNoise = 0.05f;
 constexpr float kFaintNoise = 0.015f;
 /// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
 /// polished floor may be clean after these.

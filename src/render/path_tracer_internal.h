@@ -39,6 +39,9 @@ constexpr float kBroadToTheBlurred = 0.2f;
 /// the solution's directions are apart, and hundreds of paths would not be as clean.
 constexpr float kBroadToTheEye = 0.3f;
 
+/// A strong reflection is traced until the standard error of a sample is this share of all it shows.
+constexpr float kStrongNoise = 0.05f;
+
 /// Surfaces with less diffuse albedo than this have no records, unless their reflection is broad.
 constexpr float kLeastDiffuse = 0.01f;
 

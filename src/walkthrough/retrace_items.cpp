@@ -34,8 +34,9 @@ RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, 
   renderer.retrace(retraced.frame, retraced.traced, SampleSource::kTracedItem, frameIndex);
   if (supersample == 1) return retraced;
 
-  const ibr::ViewLayer layer =
-      ibr::interpolateViewLayer(retraced.frame, known, items, {.reach = supersample});
+  const ibr::ViewLayer layer = ibr::interpolateViewLayer(
+      retraced.frame, known, items,
+      {.reach = supersample, .noise = [&](ItemId item) { return renderer.traits(item).noise; }});
   Mask rest(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -76,6 +78,49 @@ TEST(ViewLayer, IsNotFoundWhereItsSamplesDiffer) {
   const ViewLayer layer = interpolated(sampled([](int x, int) { return x % 4 == 0 ? 0.3f : 0.5f; }));
   EXPECT_EQ(layer.found(5, 5), 0);
   EXPECT_EQ(layer.found(4, 5), 0);
+}
+
+TEST(ViewLayer, DoesNotTakeNoiseForStructure) {
+  // 0.5 of diffuse light and 0.5 of noisy reflection: a standard deviation of 0.05 is 5% of the whole.
+  std::minstd_rand random(1);
+  std::normal_distribution<float> normal(0.5f, 0.05f);
+  const Sampled s = sampled([&](int, int) { return normal(random); });
+  const ViewLayer layer =
+      interpolateViewLayer(s.frame, s.known, s.wanted, {.noise = [](ItemId) { return 0.05f; }});
+  int found = 0, foundAsStructure = 0, wanted = 0;
+  double squares = 0.0;
+  const ViewLayer unaware = interpolated(s);
+  for (int y = 2; y < kSize.height - 2; ++y) {
+    for (int x = 2; x < kSize.width - 2; ++x) {
+      if (s.known(x, y) != 0) continue;
+      ++wanted;
+      foundAsStructure += unaware.found(x, y);
+      if (layer.found(x, y) == 0) continue;
+      ++found;
+      squares += std::pow(layer.viewDependent(x, y).r - 0.5, 2.0);
+    }
+  }
+  EXPECT_GT(found, 0.95 * wanted);
+  EXPECT_LT(foundAsStructure, 0.5 * wanted);
+  // Cleaner than one traced sample. (The fit weighs the nearest most: of two of them 0.05 / sqrt(2).)
+  EXPECT_LT(std::sqrt(squares / found), 0.04);
+}
+
+TEST(ViewLayer, StillSeesStructureThatStandsOutOfTheNoise) {
+  // 0.3 and 0.7 at a mean of 1: a range of 0.4, where noise of 5% may explain 0.08 + 0.225.
+  const Sampled s = sampled([](int x, int) { return x % 4 == 0 ? 0.3f : 0.7f; });
+  const ViewLayer layer =
+      interpolateViewLayer(s.frame, s.known, s.wanted, {.noise = [](ItemId) { return 0.05f; }});
+  EXPECT_EQ(layer.found(5, 5), 0);
+}
+
+TEST(ViewLayer, AsksForTheNoiseOfTheItemThatIsSeen) {
+  // Bars of 0.3 and 0.5 (range 0.2 at a mean of 0.9) on the wall (item 1) and the box (item 2).
+  const Sampled s = sampled([](int x, int) { return x % 4 == 0 ? 0.3f : 0.5f; });
+  const ViewLayer layer = interpolateViewLayer(
+      s.frame, s.known, s.wanted, {.noise = [](ItemId item) { return item == 2 ? 0.05f : 0.0f; }});
+  EXPECT_EQ(layer.found(5, 5), 0);
+  EXPECT_NE(layer.found(17, 5), 0);
 }
 
 TEST(ViewLayer, IsNotFoundFromFewerThanThreeSamples) {

@@ -197,5 +197,15 @@ TEST(ItemTraits, NameWhatLooksDifferentFromElsewhere) {
   EXPECT_TRUE(renderer->traits(4).viewDependent);   // blended
 }
 
+TEST(ItemTraits, NameWhatIsReflectedByChance) {
+  Scene scene = room();
+  EXPECT_GT(makePathRenderer(scene, withThreads(1))->traits(3).noise, 0.0f);  // metal of roughness 0.3
+  const auto metal = static_cast<std::size_t>(scene.meshes[2].material);
+  scene.materials[metal].roughness = 0.0f;
+  const auto mirrored = makePathRenderer(scene, withThreads(1));
+  EXPECT_EQ(mirrored->traits(3).noise, 0.0f);
+  EXPECT_EQ(mirrored->traits(4).noise, 0.0f);  // blended: what is seen through it is as sharp as anything
+}
+
 }  // namespace
 }  // namespace promenade::render
