@@ -25,14 +25,16 @@ RayBasis::RayBasis(const Camera& camera)
       right_(camera.direction({1.5, 0.5}) - camera.direction({0.5, 0.5})),
       down_(camera.direction({0.5, 1.5}) - camera.direction({0.5, 0.5})) {}
 
+SurfaceTolerance::SurfaceTolerance(const Camera& camera, const glm::dvec3& otherEye)
+    : quarterSample_(static_cast<float>(0.25 / camera.focalPixels() + kRounding)),
+      rounding_(static_cast<float>(
+          kRounding * std::max(largestCoordinate(camera.pose().eye), largestCoordinate(otherEye)))) {}
+
 SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees)
     : visibility_(source.visibility),
       traced_(source.source),
       rays_(source.visibility.camera),
-      quarterSample_(static_cast<float>(0.25 / source.visibility.camera.focalPixels() + kRounding)),
-      rounding_(
-          static_cast<float>(kRounding * std::max(largestCoordinate(source.visibility.camera.pose().eye),
-                                                  largestCoordinate(otherEye)))),
+      tolerance_(source.visibility.camera, otherEye),
       creaseCosine_(static_cast<float>(std::cos(creaseDegrees * std::numbers::pi / 180.0))),
       smoothBlocks_(source.visibility.depth.size()) {
   const Size size = smoothBlocks_.size();

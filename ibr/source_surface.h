@@ -49,15 +49,29 @@ inline bool chordRunsAlong(const glm::vec3& chord, const glm::vec3& n, const glm
   return std::abs(glm::dot(chord, n + m)) <= 2.0f * tolerance;
 }
 
+/// How far off a surface a point may be and still lie on it: a quarter of the width of a sample of `camera`
+/// at that depth, and rounding. `otherEye`: the other eye that coordinates are relative to; far from the
+/// origin they are rounded more coarsely.
+class SurfaceTolerance {
+ public:
+  SurfaceTolerance(const Camera& camera, const glm::dvec3& otherEye);
+  /// Metres, at this depth of `camera`.
+  [[nodiscard]] float operator()(float depth) const { return rounding_ + quarterSample_ * depth; }
+
+ private:
+  float quarterSample_;  ///< a quarter of the width of a sample at depth 1
+  float rounding_;
+};
+
 /// The surfaces that the samples of a source frame lie on. Keeps references to the frame.
 class SourceSurface {
  public:
-  /// `otherEye` is the eye of the target: coordinates far from the origin are rounded more coarsely.
-  /// `creaseDegrees`: the largest angle between the normals of samples that agree.
+  /// `otherEye` is the eye of the target. `creaseDegrees`: the largest angle between the normals of samples
+  /// that agree.
   SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees);
 
   /// Tolerance for points at this depth of the source, metres.
-  [[nodiscard]] float tolerance(float sourceDepth) const { return rounding_ + quarterSample_ * sourceDepth; }
+  [[nodiscard]] float tolerance(float sourceDepth) const { return tolerance_(sourceDepth); }
 
   [[nodiscard]] bool contains(int x, int y) const { return visibility_.depth.contains(x, y); }
   /// Whether sample (x, y) was ray traced, and may be a source at all.
@@ -75,8 +89,7 @@ class SourceSurface {
   const Visibility& visibility_;
   const SourceMap& traced_;
   RayBasis rays_;
-  float quarterSample_;  ///< a quarter of the width of a sample at depth 1
-  float rounding_;
+  SurfaceTolerance tolerance_;
   float creaseCosine_;
   Mask smoothBlocks_;
 };

@@ -64,6 +64,14 @@ void addRender(CLI::App& verb, RenderOptions& o) {
   verb.add_option("--fps", o.fps, "Frame rate (default: the path's, else 25)");
   verb.add_option("--frames", o.frames, "Only frames A-B, numbered from 0");
   verb.add_option("--supersample", o.supersample, "Samples along a pixel's edge")->capture_default_str();
+  verb.add_option(
+          "--filter", o.filter,
+          "How samples become pixels. box: the mean of the frame's own; temporal: also of the samples of "
+          "the frames around it, moved with the camera (antialiasing; not with --from, --renderer)")
+      ->capture_default_str();
+  verb.add_option("--filter-radius", o.filterRadius,
+                  "Frames before and after that --filter temporal looks at")
+      ->capture_default_str();
   verb.add_option("--spp", o.spp,
                   "Paths a sample, or 'auto': in every part of a frame until a viewer would not see noise")
       ->capture_default_str();

@@ -69,6 +69,8 @@ constexpr std::array kValues = {
     Values{"--mask", "FILE"},
     Values{"--verify", "PERCENT"},
     Values{"--contrast", "global|local"},
+    Values{"--filter", "box|temporal"},
+    Values{"--filter-radius", "FRAMES"},
     Values{"--filters", "energy|amplitude|laplacian"},
     Values{"--bands", "N"},
     Values{"--orientations", "N"},

@@ -23,6 +23,8 @@ struct RenderOptions {
   std::string fps;     ///< empty: the path's, else 25
   std::string frames;  ///< empty: all
   std::string supersample = "2";
+  std::string filter = "box";
+  std::string filterRadius = "3";
   std::string spp = "auto";
   std::string tolerance = "3";
   std::string spacing = "16";

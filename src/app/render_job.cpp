@@ -29,6 +29,18 @@ std::uint64_t seedFrom(const std::string& text) {
   return static_cast<std::uint64_t>(integerFrom(text, 0, 2'147'483'647, "--seed"));
 }
 
+std::optional<walkthrough::Antialiasing> antialiasingFrom(const RenderOptions& options) {
+  walkthrough::Antialiasing antialiasing;
+  antialiasing.radius = integerFrom(options.filterRadius, 1, 16, "--filter-radius");
+  if (choiceFrom(options.filter, {"box", "temporal"}, "--filter") == "box") return std::nullopt;
+  // Their samples lie in the middle of pixels in every frame.
+  if (!options.from.empty() || !options.renderer.empty()) {
+    throw InputError(
+        "--filter: expected box for frames of another renderer (--from, --renderer), found temporal");
+  }
+  return antialiasing;
+}
+
 // A clear sky of turbidity 3.
 Environment skyFrom(const std::string& sun) {
   constexpr double kDegree = std::numbers::pi / 180.0;
@@ -78,6 +90,7 @@ RenderValues renderValues(const RenderOptions& options) {
   v.size = sizeFrom(options.size, "--size");
   if (!options.fps.empty()) v.framesPerSecond = numberFrom(options.fps, 0.01, 1000.0, "--fps");
   v.supersample = integerFrom(options.supersample, 1, 16, "--supersample");
+  v.antialiasing = antialiasingFrom(options);
   if (options.spp != "auto") v.pathsPerSample = integerFrom(options.spp, 1, 1 << 20, "--spp");
   v.tolerancePercent = numberFrom(options.tolerance, 0.0, 100.0, "--tolerance");
   v.spacing = integerFrom(options.spacing, 1, 1'000'000, "--spacing");
@@ -100,6 +113,7 @@ RenderValues renderValues(const RenderOptions& options) {
   walkthrough::Settings settings;
   settings.size = v.size;
   settings.supersample = v.supersample;
+  settings.antialiasing = v.antialiasing;
   requireMemory(walkthrough::memoryNeededBytes(settings), availableMemoryBytes());
   return v;
 }
@@ -132,6 +146,7 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   walkthrough::Settings s;
   s.size = values.size;
   s.supersample = values.supersample;
+  s.antialiasing = values.antialiasing;
   s.frames = {0, path.frameCount() - 1};
   if (!options.frames.empty()) {
     const Frames frames = framesFrom(options.frames, path.frameCount(), "--frames");

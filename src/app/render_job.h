@@ -18,6 +18,7 @@ struct RenderValues {
   Size size;
   std::optional<double> framesPerSecond;
   int supersample = 2;
+  std::optional<walkthrough::Antialiasing> antialiasing;
   std::optional<int> pathsPerSample;  ///< nothing: automatic
   double tolerancePercent = 3.0;
   int spacing = 16;

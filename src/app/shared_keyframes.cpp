@@ -4,6 +4,7 @@
 
 #include "src/io/exr_samples.h"
 #include "src/walkthrough/statistics_json.h"
+#include "src/walkthrough/view.h"
 
 namespace promenade::app {
 
@@ -20,7 +21,7 @@ SharedKeyframes::SharedKeyframes(const OutputFolder& folder, const paths::Camera
 
 std::optional<Keyframe> SharedKeyframes::find(int frame) const {
   if (!shared_.contains(frame)) return std::nullopt;
-  const Camera camera = path_.camera(frame, settings_.size).supersampled(settings_.supersample);
+  const Camera camera = walkthrough::sampleCamera(path_, settings_, frame);
   auto samples = io::readSamples(folder_.keyframe(frame), camera, jobHash_);
   if (!samples) return std::nullopt;
   const auto statistics = walkthrough::frameStatisticsFrom(

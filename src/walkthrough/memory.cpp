@@ -14,8 +14,10 @@ double memoryNeededBytes(const Settings& settings) {
   const double halvings = std::ceil(std::log2(settings.keyframeSpacing));
   const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + 2.0 * halvings;
   const double others = settings.method == Method::kFull ? 1.0 : 8.0;
+  // The window of the filter, and its sums and what it moves (36 bytes a sample) beside it.
+  const double filtered = settings.antialiasing ? settings.antialiasing->frames() + 1.0 : 0.0;
   const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
-  return samples * 45.0 * (frames + others) + static_cast<double>(settings.size.area()) * metric;
+  return samples * 45.0 * (frames + others + filtered) + static_cast<double>(settings.size.area()) * metric;
 }
 
 }  // namespace promenade::walkthrough

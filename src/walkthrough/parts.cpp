@@ -5,7 +5,10 @@
 namespace promenade::walkthrough {
 
 Plan partsOf(const Settings& settings) {
-  if (settings.method == Method::kImageBased) return firstSegments(settings.frames, settings.keyframeSpacing);
+  // Filtered frames need others.
+  if (settings.method == Method::kImageBased || settings.antialiasing) {
+    return firstSegments(settings.frames, settings.keyframeSpacing);
+  }
   Plan frames;
   for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
     frames.push_back({frame, frame, 0});

@@ -64,6 +64,8 @@ Json jobJson(const Report& report) {
           {"first_frame", s.frames.first},
           {"last_frame", s.frames.last},
           {"spacing", s.keyframeSpacing},
+          {"filter", s.antialiasing ? "temporal" : "box"},
+          {"filter_radius", s.antialiasing ? Json(s.antialiasing->radius) : Json()},
           {"integrator", job.integrator},
           {"light", job.light},
           {"spp", job.pathsPerSample ? Json(*job.pathsPerSample) : Json()},

@@ -6,13 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "ibr/flow.h"
 #include "src/core/errors.h"
 #include "src/core/resolve.h"
+#include "src/walkthrough/finishing.h"
 #include "src/walkthrough/inbetween.h"
 #include "src/walkthrough/judge.h"
 #include "src/walkthrough/stopping.h"
 #include "src/walkthrough/verify.h"
+#include "src/walkthrough/view.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -28,6 +29,12 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
   if (const auto& rule = settings.stopping) {
     if (rule->firstPaths < 1 || rule->mostPaths < rule->firstPaths || rule->tile < 1) {
       throw InputError("stopping", "expected at least one path first, no fewer at most, tiles of a pixel");
+    }
+  }
+  if (const auto& antialiasing = settings.antialiasing) {
+    if (antialiasing->radius < 1 || !(antialiasing->deviationFrames > 0.0) ||
+        !(antialiasing->narrowingSpeed > 0.0)) {
+      throw InputError("antialiasing", "expected at least one frame, a deviation and a speed above 0");
     }
   }
   if (settings.keyframeSpacing < 1) throw InputError("spacing", "expected at least 1");
@@ -60,7 +67,8 @@ class Walk {
         outputs_(outputs),
         store_(store),
         stopping_(settings.stopping ? std::make_unique<StoppingRenderer>(renderer, settings) : nullptr),
-        renderer_(stopping_ ? *stopping_ : renderer) {}
+        renderer_(stopping_ ? *stopping_ : renderer),
+        finishing_(path, settings, [this](FinishedFrame&& frame) { deliver(std::move(frame)); }) {}
 
   Statistics run(const Plan& parts) {
     for (const Segment& part : parts) {
@@ -73,6 +81,7 @@ class Walk {
       statistics_ = {};
       const double stoppingBefore = secondsStopping();
       run(part);
+      statistics_.seconds.filter += finishing_.takeSeconds();
       statistics_.seconds.trace -= secondsStopping() - stoppingBefore;
       statistics_.seconds.metric += secondsStopping() - stoppingBefore;
       if (outputs_.part) outputs_.part(part, statistics_);
@@ -89,7 +98,7 @@ class Walk {
       const Stopwatch watch(seconds);
       const RayMeter meter(renderer_, made.statistics.rays);
       // While the camera stands every frame gets the same random numbers: nobody may see noise come and go.
-      made.frame = renderer_.render(sampleCamera(index), stillSince(path_, index));
+      made.frame = renderer_.render(sampleCamera(path_, settings_, index), stillSince(path_, index));
     }
     made.statistics.index = index;
     made.statistics.kind = FrameKind::kKeyframe;
@@ -110,37 +119,47 @@ class Walk {
   void run(const Segment& part) {
     // Between parts that do not follow each other nothing is shared.
     keyframes_.erase(keyframes_.begin(), keyframes_.lower_bound(part.first));
+    finishing_.begin({part.first, part.last});
     if (settings_.method == Method::kFull) {
-      finishKeyframe(part.first);
-      keyframes_.clear();
-      return;
+      traceAll(part);
+    } else {
+      subdivide(
+          part, [this](const Segment& segment) { return judge(segment); },
+          [this](const Segment& segment) { finish(segment); });
     }
-    subdivide(
-        part, [this](const Segment& segment) { return judge(segment); },
-        [this](const Segment& segment) { finish(segment); });
-    if (part.last == settings_.frames.last && part.last != part.first) finishKeyframe(part.last);
+    if (part.first == part.last) return;
+    if (part.last == settings_.frames.last) {
+      finishKeyframe(part.last);
+    } else if (settings_.antialiasing) {
+      const auto next = keyframe(part.last);
+      finishing_.addContext(part.last, {next, &next->frame});
+    }
+  }
+
+  void traceAll(const Segment& part) {
+    const int end = std::max(part.first + 1, part.last);
+    for (int frame = part.first; frame < end; ++frame) {
+      finishKeyframe(frame);
+      keyframes_.erase(frame);
+    }
   }
 
   /// Of the metric, inside of render() and retrace().
   [[nodiscard]] double secondsStopping() const { return stopping_ ? stopping_->secondsInMetric() : 0.0; }
 
-  [[nodiscard]] Camera displayCamera(int frame) const { return path_.camera(frame, settings_.size); }
-  [[nodiscard]] Camera sampleCamera(int frame) const {
-    return displayCamera(frame).supersampled(settings_.supersample);
-  }
-
-  const Frame& keyframe(int index) {
+  std::shared_ptr<const Keyframe> keyframe(int index) {
     const auto found = keyframes_.find(index);
-    if (found != keyframes_.end()) return found->second.frame;
+    if (found != keyframes_.end()) return found->second;
+    const auto hold = [&](Keyframe&& keyframe) {
+      return keyframes_.emplace(index, std::make_shared<const Keyframe>(std::move(keyframe))).first->second;
+    };
     if (store_ != nullptr) {
-      if (auto kept = store_->find(index)) {
-        return keyframes_.emplace(index, std::move(*kept)).first->second.frame;
-      }
+      if (auto kept = store_->find(index)) return hold(std::move(*kept));
     }
-    const Keyframe& made = keyframes_.emplace(index, trace(index)).first->second;
-    if (outputs_.keyframe) outputs_.keyframe(made.statistics.seconds);
-    if (store_ != nullptr) store_->keep(index, made);
-    return made.frame;
+    const auto made = hold(trace(index));
+    if (outputs_.keyframe) outputs_.keyframe(made->statistics.seconds);
+    if (store_ != nullptr) store_->keep(index, *made);
+    return made;
   }
 
   // Apart from what is done with them, so that each frame's rays and seconds are its own.
@@ -150,29 +169,19 @@ class Walk {
   }
 
   WarpedPair warpTo(int index, const Segment& segment, const std::vector<const Inbetween*>& others) {
-    const Frame& first = keyframe(segment.first);
-    const Frame& last = keyframe(segment.last);
+    const auto first = keyframe(segment.first);
+    const auto last = keyframe(segment.last);
     WarpedPair pair;
     {
       const Stopwatch watch(statistics_.seconds.visibility);
-      std::vector<const Frame*> known{&first, &last};
+      std::vector<const Frame*> known{&first->frame, &last->frame};
       for (const Inbetween* other : others) known.push_back(&other->frame);
-      pair.target = renderer_.visibilityAmong(sampleCamera(index), known);
+      pair.target = renderer_.visibilityAmong(sampleCamera(path_, settings_, index), known);
     }
     const Stopwatch watch(statistics_.seconds.warp);
-    pair.fromFirst = ibr::gatherWarp(first, pair.target, settings_.warp);
-    pair.fromLast = ibr::gatherWarp(last, pair.target, settings_.warp);
+    pair.fromFirst = ibr::gatherWarp(first->frame, pair.target, settings_.warp);
+    pair.fromLast = ibr::gatherWarp(last->frame, pair.target, settings_.warp);
     return pair;
-  }
-
-  [[nodiscard]] VelocityMap velocityAt(int index, const Visibility& samples) const {
-    const Visibility pixels = resolveVisibility(samples, settings_.supersample);
-    const auto flowTo = [&](int other) {
-      return other >= 0 && other < path_.frameCount() ? ibr::pixelFlow(pixels, displayCamera(other))
-                                                      : PixelFlow();
-    };
-    return ibr::imageVelocity(flowTo(index - 1), flowTo(index + 1), path_.framesPerSecond,
-                              settings_.display.pixelsPerDegree());
   }
 
   Decision judge(const Segment& segment) {
@@ -203,7 +212,8 @@ class Walk {
     Judgement judgement;
     {
       const Stopwatch watch(statistics_.seconds.metric);
-      velocity = velocityAt(index, warped.target);
+      const Visibility pixels = resolveVisibility(warped.target, settings_.supersample);
+      velocity = velocityOf(path_, settings_, pixels, index);
       judgement = judgeMiddle(segment, warped, velocity, renderer_, settings_);
     }
     if (judgement.statistics.decision == Decision::kAccept && settings_.probeShare > 0.0) {
@@ -239,12 +249,12 @@ class Walk {
                      const std::vector<const Inbetween*>& sources) {
     if (last - first < 2) return;
     const int middle = first + (last - first) / 2;
-    const Inbetween made = makeInbetween(middle, segment, sources);
+    const auto made = std::make_shared<const Inbetween>(makeInbetween(middle, segment, sources));
     std::vector<const Inbetween*> more = sources;
     // What nobody knows is no source of anything.
-    if (made.statistics.holes > made.statistics.unknown) more.push_back(&made);
+    if (made->statistics.holes > made->statistics.unknown) more.push_back(made.get());
     finishBetween(segment, first, middle, more);
-    output(middle, made.frame, made.statistics);
+    finish(middle, {made, &made->frame}, made->statistics);
     finishBetween(segment, middle, last, more);
   }
 
@@ -279,29 +289,20 @@ class Walk {
   }
 
   void finishKeyframe(int index) {
-    keyframe(index);
-    const Keyframe& key = keyframes_.at(index);
-    output(index, key.frame, key.statistics);
+    const auto key = keyframe(index);
+    finish(index, {key, &key->frame}, key->statistics);
   }
 
-  void output(int index, const Frame& frame, FrameStatistics statistics) {
-    FinishedFrame finished;
-    finished.index = index;
-    finished.kind = statistics.kind;
-    {
-      const Stopwatch watch(statistics_.seconds.filter);
-      const int factor = settings_.supersample;
-      finished.radiance = resolveRadiance(combinedRadiance(frame), factor);
-      finished.visibility = resolveVisibility(frame.visibility, factor);
-      finished.source = resolveSource(frame.source, factor);
-      finished.flowToNext = index + 1 < path_.frameCount()
-                                ? ibr::pixelFlow(finished.visibility, displayCamera(index + 1))
-                                : PixelFlow(settings_.size, glm::vec2(0.0f));
-    }
+  void finish(int index, std::shared_ptr<const Frame> samples, FrameStatistics statistics) {
+    const FrameKind kind = statistics.kind;
     statistics_.frames.push_back(std::move(statistics));
+    finishing_.add(index, std::move(samples), kind);
+  }
+
+  void deliver(FinishedFrame&& frame) {
     {
       const Stopwatch watch(statistics_.seconds.output);
-      if (outputs_.frame) outputs_.frame(std::move(finished));
+      if (outputs_.frame) outputs_.frame(std::move(frame));
     }
     ++delivered_;
     if (outputs_.progress) outputs_.progress({"frames", delivered_, total_});
@@ -313,7 +314,8 @@ class Walk {
   const KeyframeStore* store_;                        ///< null: parts share nothing but through this walk
   const std::unique_ptr<StoppingRenderer> stopping_;  ///< null: the renderer's own number of paths
   const Renderer& renderer_;
-  std::map<int, Keyframe> keyframes_;
+  std::map<int, std::shared_ptr<const Keyframe>> keyframes_;
+  Finishing finishing_;
   JudgedInbetween middle_;  ///< of the segment that was accepted last
   Statistics statistics_;   ///< of the part at hand
   std::uint64_t delivered_ = 0;

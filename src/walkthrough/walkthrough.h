@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,17 @@ struct StoppingRule {
   int tile = 16;         ///< display pixels along a tile's edge
 };
 
+/// The motion-compensated filter (ibr/temporal_filter.h) and the sub-pixel offsets that feed it.
+struct Antialiasing {
+  int radius = 3;  ///< frames before and after that a frame is made of, >= 1
+  /// Standard deviation of the window in time, frames, > 0; +inf: all frames count alike.
+  double deviationFrames = std::numeric_limits<double>::infinity();
+  /// Degrees per second over the retina, from where the window is narrower in proportion. > 0.
+  double narrowingSpeed = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] int frames() const { return 2 * radius + 1; }
+};
+
 struct Settings {
   Size size{1280, 720};  ///< display pixels
   int supersample = 2;   ///< samples along a pixel's edge, >= 1
@@ -54,6 +66,8 @@ struct Settings {
   std::uint64_t seed = 0;  ///< of which samples these are
   /// Nothing: the renderer's own number of paths.
   std::optional<StoppingRule> stopping;
+  /// Nothing: a pixel is the mean of its frame's own samples.
+  std::optional<Antialiasing> antialiasing;
   ToneMapping tone;
   DisplayModel display;
   ibr::WarpSettings warp;
@@ -109,7 +123,7 @@ struct Outputs {
 };
 
 /// The parts of a walk that can be rendered apart from each other, on any machine, in any order, with the
-/// same result: first segments, single frames with Method::kFull.
+/// same result: first segments; single frames with Method::kFull, unless frames are filtered together.
 [[nodiscard]] Plan partsOf(const Settings& settings);
 
 /// The frames that a part delivers and counts: all but its last keyframe, which belongs to the part that

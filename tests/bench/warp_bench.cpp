@@ -1,9 +1,13 @@
-// Samples a second (items_per_second) of warping, blending and pixel flow, on all threads.
+// Samples a second (items_per_second) of warping, blending, pixel flow and filtering, on all threads.
 
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <limits>
+
 #include "ibr/blend.h"
 #include "ibr/flow.h"
+#include "ibr/temporal_filter.h"
 #include "tests/ibr/analytic_scene.h"
 
 namespace promenade::ibr::tests {
@@ -85,6 +89,18 @@ void velocity(benchmark::State& state) {
   countSamples(state);
 }
 BENCHMARK(velocity)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+/// 640x360 display pixels of four samples, from two frames: items are samples of the other one.
+void temporal(benchmark::State& state) {
+  const View& v = view();
+  const WindowMap window({640, 360}, std::numeric_limits<float>::infinity());
+  const std::array<NearbyFrame, 1> others{{{&v.source, 1}}};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(temporalFilter(v.target, 2, others, window, {}));
+  }
+  countSamples(state);
+}
+BENCHMARK(temporal)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace promenade::ibr::tests

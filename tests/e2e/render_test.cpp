@@ -162,6 +162,27 @@ TEST_F(Render, APathOfOneFrameIsAStill) {
   EXPECT_EQ(framesIn(at("one")), 1);
 }
 
+TEST_F(Render, FiltersFramesWithThoseAround) {
+  const auto scene = writeScene(folder_, "scene", With::kAll);
+  const auto temporal = [&](const std::string& out, const std::string& threads) {
+    expectDone(
+        run(render(scene, at(out),
+                   {"--filter", "temporal", "--frames", "0-6", "--spacing", "3", "--threads", threads})));
+  };
+  temporal("one", "1");
+  temporal("two", "3");
+  for (int i = 0; i < 7; ++i) {
+    const std::string name = "frames/00000" + std::to_string(i) + ".exr";
+    EXPECT_TRUE(contents(folder_ / "one" / name) == contents(folder_ / "two" / name)) << name;
+  }
+  const auto job = nlohmann::json::parse(contents(at("one/report.json")))["job"];
+  EXPECT_EQ(job["filter"], "temporal");
+  EXPECT_EQ(job["filter_radius"], 3);
+  expectRefused(run(render(scene, at("out"), {"--filter", "gauss"})), "--filter");
+  expectRefused(run(render(scene, at("out"), {"--filter", "temporal", "--filter-radius", "0"})),
+                "--filter-radius");
+}
+
 TEST_F(Render, ACameraThatStandsIsAStill) {
   expectDone(run(render(writeScene(folder_, "scene", With::kNoAnimation), at("out"))));
   EXPECT_EQ(framesIn(at("out")), 1);

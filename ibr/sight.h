@@ -1,0 +1,52 @@
+#pragma once
+// Does a frame see a given point, and through which of its samples? Between samples this can only be told
+// from the surfaces that the samples around lie on.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "ibr/source_surface.h"
+#include "src/core/frame.h"
+
+namespace promenade::ibr {
+
+enum class Seen : std::uint8_t {
+  kClearly,  ///< nothing around hides the point; the samples may well have missed it, as thin things are
+  kPerhaps,  ///< some samples around show its surface, some one in front of it: an edge passes between them
+  kNot,      ///< some sample around is in front of it, and none shows its surface
+  kOutside,  ///< the frame does not look there
+};
+
+/// A point, as found among the samples of a frame.
+struct Sighting {
+  Seen seen = Seen::kOutside;
+  int x = 0;  ///< of the 2x2 samples around it the upper left, which may lie outside by one
+  int y = 0;
+  /// Bit 2 j + i: sample (x+i, y+j) shows the surface of the point.
+  std::uint8_t agreeing = 0;
+};
+
+/// Keeps a reference to the visibility.
+class Sight {
+ public:
+  /// `otherEye` is the eye of the frame whose points will be asked for (rounding), `creaseDegrees` as in
+  /// WarpSettings.
+  Sight(const Visibility& visibility, const glm::dvec3& otherEye, double creaseDegrees);
+
+  /// `pixel`: where in the image the point is.
+  [[nodiscard]] Sighting operator()(glm::vec2 pixel, const SurfacePoint& point) const;
+
+  [[nodiscard]] float tolerance(float depth) const { return tolerance_(depth); }
+
+ private:
+  enum class Relation : std::uint8_t { kSame, kInFront, kOther };
+  [[nodiscard]] Relation relation(int x, int y, const SurfacePoint& point) const;
+
+  const Visibility& visibility_;
+  RayBasis rays_;
+  SurfaceTolerance tolerance_;
+  float creaseCosine_;
+};
+
+}  // namespace promenade::ibr
