@@ -46,7 +46,6 @@ void validate(const paths::CameraPath& path, const Settings& settings) {
   }
 }
 
-/// One walk from beginning to end. Holds the keyframes that are still needed and nothing older.
 /// The first of the frames up to `frame` that all have its camera; `frame` itself where the camera moves.
 int stillSince(const paths::CameraPath& path, int frame) {
   const auto alike = [](const paths::PathFrame& a, const paths::PathFrame& b) {
@@ -58,6 +57,7 @@ int stillSince(const paths::CameraPath& path, int frame) {
   return static_cast<int>(i);
 }
 
+/// One walk from beginning to end. Holds the keyframes that are still needed and nothing older.
 class Walk {
  public:
   Walk(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
