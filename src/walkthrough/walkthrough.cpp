@@ -98,7 +98,9 @@ class Walk {
       const Stopwatch watch(seconds);
       const RayMeter meter(renderer_, made.statistics.rays);
       // While the camera stands every frame gets the same random numbers: nobody may see noise come and go.
-      made.frame = renderer_.render(sampleCamera(path_, settings_, index), stillSince(path_, index));
+      // Another renderer is asked for frames by their number.
+      const int numbers = settings_.holes == Holes::kStay ? index : stillSince(path_, index);
+      made.frame = renderer_.render(sampleCamera(path_, settings_, index), numbers);
     }
     made.statistics.index = index;
     made.statistics.kind = FrameKind::kKeyframe;

@@ -140,6 +140,16 @@ TEST(Walkthrough, FullFramesOfAStandingCameraAreIdentical) {
   EXPECT_GT(difference(2, 6), 0.0);  // other random numbers: errors do not add up over the walk
 }
 
+TEST(Walkthrough, FramesOfAnotherRendererAreAskedForByTheirNumber) {
+  const auto path = still(3);
+  Settings settings = settingsFor(path);
+  settings.method = Method::kFull;
+  settings.holes = Holes::kStay;
+  const AnalyticRenderer renderer(Panel::kMatt, 0.1);  // another noise for every number
+  const auto frames = walk(path, renderer, settings).frames;
+  EXPECT_GT(largestDifference(frames.at(0).radiance, frames.at(1).radiance), 0.0);
+}
+
 TEST(Walkthrough, DeliversEveryFrameOnceInTheOrderOfTime) {
   for (const double step : {0.0, 0.02, 0.4}) {
     const auto path = strafe(21, step);
