@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kFewest = 3;  ///< a plane through fewer is a guess
 /// Between the largest and the smallest of the 8 samples that are usually known around one, in standard
-/// deviations of normal noise: exceeded by one in forty (the mean is 2.85; Tippett 1925).
+/// deviations of normal noise: exceeded by one in thirty (the mean is 2.85; Tippett 1925).
 constexpr float kRangeOfNoise = 4.5f;
 
 /// Weighted least squares of value = c + g.d for c, the value at d = 0, with a little ridge on g: c = sum w_k

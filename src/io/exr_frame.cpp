@@ -1,7 +1,6 @@
 #include "src/io/exr_frame.h"
 
 #include <Imath/half.h>
-#include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticities.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
@@ -24,7 +23,7 @@
 
 #include "src/core/errors.h"
 #include "src/io/exr_memory_internal.h"
-#include "src/io/file_error.h"
+#include "src/io/exr_reading_internal.h"
 #include "src/io/image_limits.h"
 
 namespace promenade::io {
@@ -145,17 +144,6 @@ FrameMetadata metadataOf(const Imf::Header& header, const fs::path& file) {
   return metadata;
 }
 
-// OpenEXR's exceptions become InputError: whatever is wrong with the file is wrong with the input.
-template <class Read>
-auto reading(const fs::path& file, const Read& read) {
-  requireRegularFile(file);
-  try {
-    return read();
-  } catch (const Iex::BaseExc& error) {
-    throw InputError(file.string(), "cannot read as OpenEXR: " + firstLine(error.what()));
-  }
-}
-
 }  // namespace
 
 void writeFrame(const fs::path& file, const FrameFile& frame) {
@@ -206,7 +194,7 @@ RadianceMap asStored(const RadianceMap& radiance) {
 }
 
 FrameFile readFrame(const fs::path& file) {
-  return reading(file, [&] {
+  return readingExr(file, [&] {
     Imf::InputFile in(file.c_str(), 0);
     FrameFile frame;
     frame.metadata = metadataOf(in.header(), file);
@@ -274,7 +262,7 @@ FrameFile readFrame(const fs::path& file) {
 }
 
 FrameMetadata readFrameMetadata(const fs::path& file) {
-  return reading(file, [&] {
+  return readingExr(file, [&] {
     const Imf::InputFile in(file.c_str(), 0);
     return metadataOf(in.header(), file);
   });

@@ -1,6 +1,5 @@
 #include "src/io/exr_maps.h"
 
-#include <OpenEXR/IexBaseExc.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -9,7 +8,7 @@
 
 #include "src/core/errors.h"
 #include "src/io/exr_memory_internal.h"
-#include "src/io/file_error.h"
+#include "src/io/exr_reading_internal.h"
 #include "src/io/image_limits.h"
 
 namespace promenade::io {
@@ -28,8 +27,7 @@ void writeMaps(const std::filesystem::path& file, const MetricMaps& maps) {
 }
 
 ProbabilityMap readProbability(const std::filesystem::path& file) {
-  requireRegularFile(file);
-  try {
+  return readingExr(file, [&] {
     Imf::InputFile in(file.c_str(), 0);
     const Imath::Box2i window = in.header().dataWindow();
     const Size size{window.max.x + 1, window.max.y + 1};
@@ -44,9 +42,7 @@ ProbabilityMap readProbability(const std::filesystem::path& file) {
     in.setFrameBuffer(buffer);
     in.readPixels(0, size.height - 1);
     return probability;
-  } catch (const Iex::BaseExc& error) {
-    throw InputError(file.string(), "cannot read as OpenEXR: " + firstLine(error.what()));
-  }
+  });
 }
 
 }  // namespace promenade::io

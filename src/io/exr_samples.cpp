@@ -1,6 +1,5 @@
 #include "src/io/exr_samples.h"
 
-#include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -11,8 +10,7 @@
 
 #include "src/core/errors.h"
 #include "src/io/exr_memory_internal.h"
-#include "src/io/file_error.h"
-#include "src/io/image_limits.h"
+#include "src/io/exr_reading_internal.h"
 
 namespace promenade::io {
 namespace {
@@ -61,8 +59,7 @@ void writeSamples(const std::filesystem::path& file, const Frame& frame, const S
 std::optional<SamplesFile> readSamples(const std::filesystem::path& file, const Camera& camera,
                                        const std::string& jobHash) {
   if (!std::filesystem::exists(file)) return std::nullopt;
-  requireRegularFile(file);
-  try {
+  return readingExr(file, [&]() -> std::optional<SamplesFile> {
     Imf::InputFile in(file.c_str(), 0);
     const auto text = [&](const char* name) {
       const auto* found = in.header().findTypedAttribute<Imf::StringAttribute>(name);
@@ -100,9 +97,7 @@ std::optional<SamplesFile> readSamples(const std::filesystem::path& file, const 
       samples.frame.source.pixels()[i] = static_cast<SampleSource>(sources[i]);
     }
     return samples;
-  } catch (const Iex::BaseExc& error) {
-    throw InputError(file.string(), "cannot read as OpenEXR: " + firstLine(error.what()));
-  }
+  });
 }
 
 }  // namespace promenade::io

@@ -1,6 +1,5 @@
 #include "src/io/foreign_frame.h"
 
-#include <OpenEXR/Iex.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfFramesPerSecond.h>
@@ -16,7 +15,7 @@
 
 #include "src/core/errors.h"
 #include "src/io/exr_frame.h"
-#include "src/io/file_error.h"
+#include "src/io/exr_reading_internal.h"
 #include "src/io/image_limits.h"
 
 namespace promenade::io {
@@ -85,16 +84,6 @@ Size sizeOf(const Imf::Header& header, const fs::path& file) {
   return size;
 }
 
-template <class Read>
-auto reading(const fs::path& file, const Read& read) {
-  requireRegularFile(file);
-  try {
-    return read();
-  } catch (const Iex::BaseExc& error) {
-    throw InputError(file.string(), "cannot read as OpenEXR: " + firstLine(error.what()));
-  }
-}
-
 void checkDepth(DepthMap& depth, const fs::path& file) {
   for (float& z : depth.pixels()) {
     if (std::isnan(z) || z >= kNothingHit) z = std::numeric_limits<float>::infinity();
@@ -107,7 +96,7 @@ void checkDepth(DepthMap& depth, const fs::path& file) {
 }  // namespace
 
 ForeignCamera readForeignCamera(const fs::path& file) {
-  return reading(file, [&]() -> ForeignCamera {
+  return readingExr(file, [&]() -> ForeignCamera {
     const Imf::InputFile in(file.c_str(), 0);
     const Imf::Header& header = in.header();
     if (isOwn(header)) {
@@ -127,7 +116,7 @@ ForeignCamera readForeignCamera(const fs::path& file) {
 }
 
 ForeignFrame readForeignFrame(const fs::path& file) {
-  return reading(file, [&]() -> ForeignFrame {
+  return readingExr(file, [&]() -> ForeignFrame {
     Imf::InputFile in(file.c_str(), 0);
     const Imf::Header& header = in.header();
     if (isOwn(header)) {
