@@ -29,8 +29,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, 8>;
 
 /// One cache line of complex floats: the unit of transposition.
-constexpr int kRowsPerBlock = 8;
-constexpr int kColumnsPerBlock = 4;
+constexpr int kRowsPerLine = 8;
+constexpr int kColumnsPerLine = 4;
 /// Filter values below this could only make the transforms slow (denormal numbers), never a visible
 /// difference.
 constexpr float kNegligible = 1e-24f;
@@ -39,7 +39,7 @@ constexpr float kLargestExponent = 40.0f;
 
 template <class Body>
 void forEachColumn(int begin, int end, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<int>(begin, end, kColumnsPerBlock),
+  tbb::parallel_for(tbb::blocked_range<int>(begin, end, kColumnsPerLine),
                     [&](const tbb::blocked_range<int>& range) {
                       for (int ix = range.begin(); ix != range.end(); ++ix) {
                         body(ix);
@@ -191,7 +191,7 @@ double ChannelBank::spectralSensitivity(double fx, double fy, const Channel& cha
 
 void ChannelBank::filterColumns(Columns columns, double decay, double lowest) {
   const int height = layout_.padded.height;
-  tbb::parallel_for(tbb::blocked_range<int>(columns.begin, columns.end, kColumnsPerBlock),
+  tbb::parallel_for(tbb::blocked_range<int>(columns.begin, columns.end, kColumnsPerLine),
                     [&](const tbb::blocked_range<int>& range) {
                       Plane<float> values(height, 1);
                       Spectrum filtered(height, 1);
@@ -210,10 +210,10 @@ template <class Needed, class Weights>
 void ChannelBank::addRows(Columns columns, const Needed& needed, const Weights& weigh) {
   const int spectrumColumns = layout_.spectrumColumns();
   const int stride = responses_.test.stride();
-  const int blocks = (layout_.image.height + kRowsPerBlock - 1) / kRowsPerBlock;
+  const int blocks = (layout_.image.height + kRowsPerLine - 1) / kRowsPerLine;
   tbb::parallel_for(0, blocks, [&](int block) {
-    const int begin = block * kRowsPerBlock;
-    const int end = std::min(begin + kRowsPerBlock, layout_.image.height);
+    const int begin = block * kRowsPerLine;
+    const int end = std::min(begin + kRowsPerLine, layout_.image.height);
     bool any = false;
     for (int y = begin; y < end; ++y) {
       any = any || needed(y);
@@ -221,13 +221,13 @@ void ChannelBank::addRows(Columns columns, const Needed& needed, const Weights& 
     if (!any) {
       return;
     }
-    Plane<float> weights(layout_.image.width, kRowsPerBlock);
+    Plane<float> weights(layout_.image.width, kRowsPerLine);
     for (int y = begin; y < end; ++y) {
       weigh(y, weights.row(y - begin));
     }
     // Also holds what lies right of the padded image when whole vectors are read from the margin on.
     Plane<float> filtered(std::max(layout_.padded.width, layout_.margin + stride), 1);
-    Spectrum rows(spectrumColumns, kRowsPerBlock);
+    Spectrum rows(spectrumColumns, kRowsPerLine);
     for (auto [from, to] :
          {std::pair(&testColumns_, &responses_.test), std::pair(&referenceColumns_, &responses_.reference)}) {
       for (int i = 0; i < end - begin; ++i) {

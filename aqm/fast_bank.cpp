@@ -32,8 +32,8 @@ bool isCovered(const Settings& settings) {
 }
 
 /// Two cache lines of complex floats: the unit of transposition.
-constexpr int kRowsPerBlock = 16;
-constexpr int kColumnsPerBlock = 4;
+constexpr int kRowsTransposed = 16;
+constexpr int kColumnsTransposed = 4;
 
 /// The channels of one band, one after the other.
 class FastBand {
@@ -68,21 +68,21 @@ class FastBand {
  private:
   struct Scratch {
     Scratch(const BandPlan& plan, const GridMasking& masking, int width)
-        : rows(plan.grid.padded.width / 2 + 1, kRowsPerBlock),
+        : rows(plan.grid.padded.width / 2 + 1, kRowsTransposed),
           packed(plan.grid.padded.width, 1),
           filtered(plan.grid.padded.width + 2 * plan.grid.apron + kPlaneUnit, 1),
-          weights(width, static_cast<int>(plan.terms.shapes.size()) * kRowsPerBlock),
+          weights(width, static_cast<int>(plan.terms.shapes.size()) * kRowsTransposed),
           spare(width, 1),
           extended(masking.extendedRow()) {
       // Where nothing moves, nothing else is written here.
       for (std::size_t m = 0; m < plan.terms.shapes.size(); ++m) {
-        for (int i = 0; i < kRowsPerBlock; ++i) {
+        for (int i = 0; i < kRowsTransposed; ++i) {
           std::fill_n(weightsOf(m, i), width, plan.terms.coefficients[m][0]);
         }
       }
     }
     /// Of term m in row i of the block.
-    float* weightsOf(std::size_t m, int i) { return weights.row(static_cast<int>(m) * kRowsPerBlock + i); }
+    float* weightsOf(std::size_t m, int i) { return weights.row(static_cast<int>(m) * kRowsTransposed + i); }
 
     Spectrum rows;
     Spectrum packed;  ///< of two rows; stays 0 where the channel passes nothing
@@ -106,7 +106,7 @@ class FastBand {
     // Rows of negative frequencies sit at the end of a full column.
     const int toFull = layout_.padded.height - padded.height;
     tbb::parallel_for(
-        tbb::blocked_range<int>(passed_.begin, std::max(passed_.begin, passed_.end), kColumnsPerBlock),
+        tbb::blocked_range<int>(passed_.begin, std::max(passed_.begin, passed_.end), kColumnsTransposed),
         [&](const tbb::blocked_range<int>& range) {
           Spectrum filtered(padded.height, 2);
           for (int ix = range.begin(); ix != range.end(); ++ix) {
@@ -169,13 +169,13 @@ class FastBand {
   void transformRows(const Plane<std::uint16_t>* steps) {
     const int apron = plan_.grid.apron;
     const int height = responses_[0].height();
-    const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
+    const int blocks = (height + kRowsTransposed - 1) / kRowsTransposed;
     tbb::enumerable_thread_specific<Scratch> scratches(
         [&] { return Scratch(plan_, masking_, responses_[0].width()); });
     tbb::parallel_for(0, blocks, [&](int block) {
       Scratch& scratch = scratches.local();
-      const int begin = block * kRowsPerBlock;
-      const int end = std::min(begin + kRowsPerBlock, height);
+      const int begin = block * kRowsTransposed;
+      const int end = std::min(begin + kRowsTransposed, height);
       if (steps != nullptr) {
         weigh(*steps, begin, end, scratch);
       }

@@ -11,9 +11,6 @@
 namespace promenade::aqm {
 namespace {
 
-constexpr int kRowsPerBlock = 16;
-/// A strip of this many columns stays in the cache while a filter runs down it.
-constexpr int kStripWidth = 256;
 /// A kernel this narrow is a single weight of 1.
 constexpr double kPointSigma = 0.01;
 

@@ -17,9 +17,6 @@ using Lanes = hn::CappedTag<float, 8>;
 
 /// Larger responses count as this, so that their powers stay finite.
 constexpr float kLargestResponse = 1e8f;
-/// A strip of this many columns stays in the cache while a filter runs down it.
-constexpr int kStripWidth = 256;
-constexpr int kRowsPerBlock = 16;
 
 template <class V>
 V bounded(V response) {

@@ -4,6 +4,11 @@
 
 namespace promenade::aqm {
 
+/// A strip of this many columns stays in the cache while a filter runs down it.
+inline constexpr int kStripWidth = 256;
+/// What a thread takes at a time.
+inline constexpr int kRowsPerBlock = 16;
+
 /// (1 + (strength response)^4)^(1/4).
 void elevateByUnitKnee(const float* responses, double strength, float* elevations, int count);
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "aqm/gaussian.h"
+#include "aqm/masking_rows.h"
 
 namespace promenade::aqm {
 namespace {
@@ -19,8 +20,6 @@ using Lanes = hn::CappedTag<float, 8>;
 constexpr float kExponent = 3.5f;
 /// Standard deviation of the pooling window, degrees.
 constexpr double kPoolingDegrees = 0.5;
-constexpr int kRowsPerBlock = 16;
-constexpr int kStripWidth = 256;
 
 /// function(vector of 8) of every element. Vectors go beyond the map's width in the plane's padding only.
 template <class Map, class Function>

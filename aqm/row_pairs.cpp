@@ -10,10 +10,10 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, 8>;
 
-const float* raw(const std::complex<float>* numbers) {
+const float* asFloats(const std::complex<float>* numbers) {
   return reinterpret_cast<const float*>(numbers);
 }
-float* raw(std::complex<float>* numbers) {
+float* asFloats(std::complex<float>* numbers) {
   return reinterpret_cast<float*>(numbers);
 }
 
@@ -31,15 +31,15 @@ void packRows(const std::complex<float>* a, const std::complex<float>* b, int be
   const hn::RepartitionToWide<Lanes> pairs;  // a complex number is moved as one of twice the bits
   const int numbers = static_cast<int>(hn::Lanes(tag)) / 2;
   for (; ix + numbers <= last; ix += numbers) {
-    const auto first = hn::LoadU(tag, raw(a + ix));
-    const auto turned = hn::Reverse2(tag, hn::LoadU(tag, raw(b + ix)));  // imaginary, real
+    const auto first = hn::LoadU(tag, asFloats(a + ix));
+    const auto turned = hn::Reverse2(tag, hn::LoadU(tag, asFloats(b + ix)));  // imaginary, real
     const auto sum = hn::Add(first, turned);
     // A + i B = (a.re - b.im, a.im + b.re); its mirror image conj(A) + i conj(B) = (a.re + b.im, b.re -
     // a.im).
-    hn::StoreU(hn::OddEven(sum, hn::Sub(first, turned)), tag, raw(packed + ix));
+    hn::StoreU(hn::OddEven(sum, hn::Sub(first, turned)), tag, asFloats(packed + ix));
     const auto mirrored = hn::OddEven(hn::Sub(turned, first), sum);
     hn::StoreU(hn::BitCast(tag, hn::Reverse(pairs, hn::BitCast(pairs, mirrored))), tag,
-               raw(packed + length - ix - numbers + 1));
+               asFloats(packed + length - ix - numbers + 1));
   }
   for (; ix < last; ++ix) {
     packed[ix] = {a[ix].real() - b[ix].imag(), a[ix].imag() + b[ix].real()};
@@ -53,7 +53,7 @@ void addRowPair(const std::complex<float>* pair, const float* weightsA, const fl
   for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(tag))) {
     auto first = hn::Zero(tag);
     auto second = hn::Zero(tag);
-    hn::LoadInterleaved2(tag, raw(pair + x), first, second);
+    hn::LoadInterleaved2(tag, asFloats(pair + x), first, second);
     const auto add = [&](auto value, const float* weights, float* to) {
       const auto weighted = hn::Mul(hn::Load(tag, weights + x), value);
       hn::Store(hn::Add(hn::Load(tag, to + x), weighted), tag, to + x);

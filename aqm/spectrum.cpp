@@ -10,7 +10,7 @@ namespace promenade::aqm {
 namespace {
 
 /// Rows of the spectrum that are transposed together: eight complex floats are one cache line.
-constexpr int kRowsPerBlock = 8;
+constexpr int kRowsTransformed = 8;
 
 }  // namespace
 
@@ -26,12 +26,12 @@ Spectrum spectrumOf(const ContrastMap& contrast, const Layout& layout, const Fou
   }
 
   Spectrum transposed(height, columns);
-  const int blocks = (height + kRowsPerBlock - 1) / kRowsPerBlock;
+  const int blocks = (height + kRowsTransformed - 1) / kRowsTransformed;
   tbb::parallel_for(0, blocks, [&](int block) {
     Plane<float> extended(width, 1);
-    Plane<std::complex<float>> rows(columns, kRowsPerBlock);
-    const int begin = block * kRowsPerBlock;
-    const int count = std::min(kRowsPerBlock, height - begin);
+    Plane<std::complex<float>> rows(columns, kRowsTransformed);
+    const int begin = block * kRowsTransformed;
+    const int count = std::min(kRowsTransformed, height - begin);
     for (int i = 0; i < count; ++i) {
       const auto source = contrast.row(reflected(begin + i - layout.margin, layout.image.height));
       std::transform(sources.begin(), sources.end(), extended.row(0),

@@ -1,5 +1,3 @@
-option(PROMENADE_PRECOMPILED_HEADERS "Compile common headers once" ON)
-
 # Flags that every target of the project shares.
 add_library(promenade_flags INTERFACE)
 target_include_directories(promenade_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
@@ -7,9 +5,9 @@ target_compile_options(promenade_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion -Werror
   # No contraction to fused multiply-adds: swapping the two frames of a comparison must not change a bit.
   -ffp-contract=off)
-# g++ 12 warns of its own std::string (GCC bug 105651) where it comes out of a precompiled header.
-if(PROMENADE_PRECOMPILED_HEADERS)
-  target_compile_options(promenade_flags INTERFACE -Wno-array-bounds -Wno-stringop-overread)
+# What is private to one file of a unity build is private to the translation unit that includes it.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(promenade_flags INTERFACE -Wno-subobject-linkage)
 endif()
 # x86-64-v3 (AVX2) is what Embree needs to be worth its name; every machine since 2013 has it.
 target_compile_options(promenade_flags INTERFACE -march=x86-64-v3)
@@ -17,26 +15,6 @@ if(PROMENADE_SANITIZE)
   target_compile_options(promenade_flags INTERFACE -fsanitize=${PROMENADE_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)
   target_link_options(promenade_flags INTERFACE -fsanitize=${PROMENADE_SANITIZE})
-endif()
-
-# What nearly every file includes, compiled once for the libraries and once for the tests: their flags differ. (Every file still
-# includes what it uses: -D PROMENADE_PRECOMPILED_HEADERS=OFF builds without.)
-function(promenade_precompiled name)
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
-  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
-  target_link_libraries(${name} PRIVATE promenade_flags)
-  target_precompile_headers(${name} PRIVATE
-    <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
-    <glm/common.hpp> <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp> <nlohmann/json.hpp> ${ARGN})
-endfunction()
-if(PROMENADE_PRECOMPILED_HEADERS)
-  promenade_precompiled(promenade_library_headers)
-  set_target_properties(promenade_library_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-endif()
-if(PROMENADE_PRECOMPILED_HEADERS AND PROMENADE_TESTS)
-  promenade_precompiled(promenade_test_headers <gmock/gmock.h> <gtest/gtest.h> <fstream> <random>)
-  target_link_libraries(promenade_test_headers PRIVATE GTest::gtest_main GTest::gmock)
-  target_compile_options(promenade_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
 endif()
 
 # promenade_library(NAME SOURCES a.cpp ... [HEADERS a.h ...] [PUBLIC target ...] [PRIVATE target ...]): promenade::NAME.
@@ -48,9 +26,6 @@ function(promenade_library name)
   set_target_properties(promenade_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(promenade_${name} PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:promenade_flags> ${ARG_PRIVATE})
   target_include_directories(promenade_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
-  if(TARGET promenade_library_headers)
-    target_precompile_headers(promenade_${name} REUSE_FROM promenade_library_headers)
-  endif()
   if(ARG_HEADERS)
     target_sources(promenade_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
   endif()
@@ -65,13 +40,11 @@ function(promenade_test name)
     set(ARG_TIMEOUT 300)
   endif()
   add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${name} PRIVATE promenade_flags ${ARG_LIBRARIES} GTest::gtest_main GTest::gmock)
   target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # What a test does itself takes longer to optimise than to run; the libraries that it calls are optimised fully.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(TARGET promenade_test_headers)
-    target_precompile_headers(${name} REUSE_FROM promenade_test_headers)
-  endif()
   set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
   if(ARG_SLOW)
     list(JOIN ARG_SLOW ":" slow)

@@ -126,7 +126,7 @@ class Counting {
   bool isNone_ = true;
 };
 
-void require(bool good, const char* expected) {
+void requireForBlend(bool good, const char* expected) {
   if (!good) throw InputError("blend", std::string("expected ") + expected);
 }
 
@@ -139,12 +139,14 @@ bool hasSize(const Warped& warped, Size size) {
 
 Blended blend(std::span<const BlendSource> sources, Visibility target, double time) {
   const Size size = target.camera.size();
-  require(!sources.empty() && target.normal.size() == size, "a source and a target with all its maps");
+  requireForBlend(!sources.empty() && target.normal.size() == size,
+                  "a source and a target with all its maps");
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    require(hasSize(*sources[i].warped, size), "warped frames of the target's size");
-    require(i == 0 || sources[i - 1].time < sources[i].time, "sources in the order of time");
+    requireForBlend(hasSize(*sources[i].warped, size), "warped frames of the target's size");
+    requireForBlend(i == 0 || sources[i - 1].time < sources[i].time, "sources in the order of time");
   }
-  require(time >= sources.front().time && time <= sources.back().time, "a time between those of the sources");
+  requireForBlend(time >= sources.front().time && time <= sources.back().time,
+                  "a time between those of the sources");
 
   Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)}, Mask(size)};
   const DepthAgreement sameDepth(target);

@@ -10,13 +10,12 @@
 namespace promenade::ibr {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// Rows of the target that one task draws.
 constexpr int kBand = 16;
 
 struct Range {
-  float low = kInfinity;
-  float high = -kInfinity;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -std::numeric_limits<float>::infinity();
   void include(float value) {
     low = std::min(low, value);
     high = std::max(high, value);
@@ -40,9 +39,9 @@ float cross(glm::vec2 a, glm::vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-class Band {
+class RasterBand {
  public:
-  Band(Rastered& out, Image<float>& nearest, int begin, int end)
+  RasterBand(Rastered& out, Image<float>& nearest, int begin, int end)
       : out_(out), nearest_(nearest), begin_(begin), end_(end) {}
 
   void draw(const Patch& patch) const {
@@ -77,7 +76,8 @@ class Band {
     if (!(inverseDepth > nearest_(x, y))) return;
     nearest_(x, y) = inverseDepth;
     out_.covered(x, y) = 1;
-    out_.visibility.depth(x, y) = patch.item == kNoItem ? kInfinity : 1.0f / inverseDepth;
+    out_.visibility.depth(x, y) =
+        patch.item == kNoItem ? std::numeric_limits<float>::infinity() : 1.0f / inverseDepth;
     out_.visibility.normal(x, y) = patch.normal;
     out_.visibility.item(x, y) = patch.item;
   }
@@ -92,7 +92,9 @@ class Band {
 
 Rastered raster(const SurfacePatches& patches, const Camera& target) {
   const Size size = target.size();
-  Rastered out{{target, DepthMap(size, kInfinity), NormalMap(size), ItemBuffer(size)}, Mask(size)};
+  Rastered out{
+      {target, DepthMap(size, std::numeric_limits<float>::infinity()), NormalMap(size), ItemBuffer(size)},
+      Mask(size)};
   Image<float> nearest(size, -1.0f);  // background, at 0, is nearer than nothing
 
   // Patches are made anew for every band that their row touches, instead of being stored: a fixed order and
@@ -108,7 +110,7 @@ Rastered raster(const SurfacePatches& patches, const Camera& target) {
   tbb::parallel_for(0, (size.height + kBand - 1) / kBand, [&](int index) {
     const int begin = index * kBand;
     const int end = std::min(size.height, begin + kBand);
-    const Band band(out, nearest, begin, end);
+    const RasterBand band(out, nearest, begin, end);
     for (int row = firstRow; row < patches.endRow(); ++row) {
       const Range& range = rows[static_cast<std::size_t>(row - firstRow)];
       if (!(range.high >= static_cast<float>(begin) && range.low <= static_cast<float>(end))) continue;

@@ -184,9 +184,9 @@ class Source {
 };
 
 /// Collects the samples of the pixels of a few rows.
-class Band {
+class PixelBand {
  public:
-  Band(const Frame& frame, int supersample, Rows rows)
+  PixelBand(const Frame& frame, int supersample, Rows rows)
       : frame_(frame),
         supersample_(supersample),
         rows_(rows),
@@ -246,7 +246,7 @@ class Band {
   Image<PixelSum> pixels_;
 };
 
-void require(bool good, const std::string& expected) {
+void requireForFilter(bool good, const std::string& expected) {
   if (!good) throw InputError("temporal filter", "expected " + expected);
 }
 
@@ -262,26 +262,26 @@ bool isWhole(const Frame& frame) {
 RadianceMap temporalFilter(const Frame& frame, int supersample, std::span<const NearbyFrame> others,
                            const WindowMap& window, const TemporalFilterSettings& settings) {
   const Size size = frame.visibility.camera.size();
-  require(isWhole(frame), "maps of the size of the frame's camera");
-  require(supersample >= 1 && size.width % supersample == 0 && size.height % supersample == 0,
-          "a whole number of samples a pixel");
-  require(window.size() == Size{size.width / supersample, size.height / supersample},
-          "a window for every display pixel");
-  require(settings.footprintLimit > 0.0 && settings.creaseDegrees > 0.0 && settings.slideLimit > 0.0,
-          "limits above 0");
-  for (const float deviation : window.pixels()) require(deviation > 0.0f, "windows above 0 frames");
+  requireForFilter(isWhole(frame), "maps of the size of the frame's camera");
+  requireForFilter(supersample >= 1 && size.width % supersample == 0 && size.height % supersample == 0,
+                   "a whole number of samples a pixel");
+  requireForFilter(window.size() == Size{size.width / supersample, size.height / supersample},
+                   "a window for every display pixel");
+  requireForFilter(settings.footprintLimit > 0.0 && settings.creaseDegrees > 0.0 && settings.slideLimit > 0.0,
+                   "limits above 0");
+  for (const float deviation : window.pixels()) requireForFilter(deviation > 0.0f, "windows above 0 frames");
 
   std::vector<Source> sources;
   sources.reserve(others.size());
   for (const NearbyFrame& other : others) {
-    require(isWhole(*other.frame), "maps of the size of the other frame's camera");
-    require(other.framesAway != 0, "other frames than the filtered one");
+    requireForFilter(isWhole(*other.frame), "maps of the size of the other frame's camera");
+    requireForFilter(other.framesAway != 0, "other frames than the filtered one");
     sources.emplace_back(frame, other, supersample, window, settings);
   }
   RadianceMap pixels(window.size());
   constexpr int kBand = 8;
   tbb::parallel_for(0, (pixels.height() + kBand - 1) / kBand, [&](int i) {
-    Band band(frame, supersample, {i * kBand, std::min((i + 1) * kBand, pixels.height())});
+    PixelBand band(frame, supersample, {i * kBand, std::min((i + 1) * kBand, pixels.height())});
     for (const Source& source : sources) band.add(source);
     band.writeTo(pixels);
   });

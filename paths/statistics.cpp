@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <glm/trigonometric.hpp>
 #include <numeric>
 
 #include "paths/rotation.h"
 
 namespace promenade::paths {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double meanOf(const std::vector<double>& values) {
   return values.empty()
@@ -38,7 +36,7 @@ std::vector<double> turnRates(const CameraPath& path) {
   for (std::size_t i = 1; i < path.frames.size(); ++i) {
     const double angle =
         angleBetween(path.frames[i - 1].pose.worldFromCamera, path.frames[i].pose.worldFromCamera);
-    result.push_back(angle * kDegrees * path.framesPerSecond);
+    result.push_back(glm::degrees(angle) * path.framesPerSecond);
   }
   return result;
 }
@@ -59,8 +57,8 @@ Statistics statisticsOf(const CameraPath& path) {
       path.frames.begin(), path.frames.end(),
       [](const PathFrame& a, const PathFrame& b) { return a.verticalFieldOfView < b.verticalFieldOfView; });
   if (low != path.frames.end()) {
-    s.minVerticalFieldOfView = low->verticalFieldOfView * kDegrees;
-    s.maxVerticalFieldOfView = high->verticalFieldOfView * kDegrees;
+    s.minVerticalFieldOfView = glm::degrees(low->verticalFieldOfView);
+    s.maxVerticalFieldOfView = glm::degrees(high->verticalFieldOfView);
   }
   return s;
 }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <vector>
 
 #include "paths/text.h"
@@ -16,8 +16,6 @@ namespace promenade::paths {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
 // One quaternion a frame, each on the side of the one before, so that component-wise interpolators do well
 // too.
 std::vector<glm::dquat> rotationsOf(const CameraPath& path) {
@@ -61,7 +59,7 @@ std::string toPromenadeJson(const CameraPath& path) {
     keys.push_back({{"time", static_cast<double>(i) / path.framesPerSecond},
                     {"eye", {frame.pose.eye.x, frame.pose.eye.y, frame.pose.eye.z}},
                     {"rotation", {q.x, q.y, q.z, q.w}},
-                    {"fov", frame.verticalFieldOfView * kDegrees}});
+                    {"fov", glm::degrees(frame.verticalFieldOfView)}});
   }
   const OrderedJson root = {
       {"fps", path.framesPerSecond}, {"interpolation", "linear"}, {"speed", "timed"}, {"keys", keys}};
@@ -76,7 +74,7 @@ std::string toNerfstudio(const CameraPath& path) {
     cameras.push_back({{"camera_to_world",
                         {m[0].x, m[1].x, m[2].x, e.x, m[0].y, m[1].y, m[2].y, e.y, m[0].z, m[1].z, m[2].z,
                          e.z, 0.0, 0.0, 0.0, 1.0}},
-                       {"fov", frame.verticalFieldOfView * kDegrees},
+                       {"fov", glm::degrees(frame.verticalFieldOfView)},
                        {"aspect", 16.0 / 9.0}});
   }
   const OrderedJson root = {{"camera_type", "perspective"},

@@ -16,16 +16,14 @@ using glm::dvec2;
 using glm::dvec3;
 using Bulge = Profile::Bulge;
 
-constexpr double kPi = glm::pi<double>();
-
 Surface column() {
   constexpr double kBottom = 0.47, kTop = 3.98, kBottomRadius = 0.40, kTopRadius = 0.335;
   constexpr int kFlutes = 20;
   const auto shaft = parametric(
       [](double u, double v) {
-        const double angle = 2.0 * kPi * u;
+        const double angle = 2.0 * glm::pi<double>() * u;
         const double straight = kBottomRadius + (kTopRadius - kBottomRadius) * v;
-        const double entasis = 0.012 * std::sin(kPi * std::clamp(v, 0.0, 1.0));
+        const double entasis = 0.012 * std::sin(glm::pi<double>() * std::clamp(v, 0.0, 1.0));
         // Flutes meet in arrises and run out before the ends of the shaft.
         const double running = smoothStep(0.0, 0.03, v) * smoothStep(1.0, 0.97, v);
         const double flute = 0.040 * running * std::abs(std::sin(0.5 * kFlutes * angle));
@@ -101,7 +99,7 @@ Surface beam() {
                             .lineTo({kBeamHalf, kAisleCeiling});
   Surface s;
   s.add(extrude(nave, -kHalfLength, kHalfLength));
-  s.add(extrude(aisle, -kHalfLength, kHalfLength), turned(kPi, {0, 1, 0}));
+  s.add(extrude(aisle, -kHalfLength, kHalfLength), turned(glm::pi<double>(), {0, 1, 0}));
   s.addQuad({-0.34, kColumnTop, -kHalfLength}, {0.34, kColumnTop, -kHalfLength},
             {0.34, kColumnTop, kHalfLength}, {-0.34, kColumnTop, kHalfLength});
   return s;

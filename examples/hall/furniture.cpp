@@ -14,8 +14,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kTurn = 2.0 * glm::pi<double>();
-
 /// Along X, 1.8 m long: the wooden part. The cushion lies on it.
 Surface benchFrame() {
   Surface s;

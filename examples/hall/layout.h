@@ -4,8 +4,11 @@
 // 0. Metres.
 
 #include <array>
+#include <numbers>
 
 namespace promenade::hall {
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< radians
 
 inline constexpr double kBay = 3.6;          ///< column to column
 inline constexpr double kHalfLength = 10.8;  ///< three bays each way

@@ -8,8 +8,6 @@
 namespace promenade::hall {
 namespace {
 
-constexpr double kPi = glm::pi<double>();
-
 /// What a motif shows at (x, y), x right and y down in [0, 1]; `aspect` keeps circles round.
 using Field = std::function<Color(double x, double y)>;
 
@@ -111,7 +109,7 @@ Color circles(double x, double y, double aspect) {
     }
   }
   for (int k = 0; k < 7; ++k) {
-    const double angle = random.uniform(0.0, kPi), offset = random.uniform(-0.35, 0.35);
+    const double angle = random.uniform(0.0, glm::pi<double>()), offset = random.uniform(-0.35, 0.35);
     const double d = (x - 0.5) * aspect * std::sin(angle) + (y - 0.5) * std::cos(angle) - offset;
     if (std::abs(d) < 0.006) c = Color(0.10, 0.09, 0.09);
   }
@@ -153,7 +151,8 @@ Color stillLife(double x, double y, double aspect) {
     }
   };
   // A jug behind, fruit in front.
-  const double jugRadius = 0.13 * (0.55 + 0.45 * std::sin(kPi * std::clamp((y - 0.20) / 0.62, 0.0, 1.0)));
+  const double jugRadius =
+      0.13 * (0.55 + 0.45 * std::sin(glm::pi<double>() * std::clamp((y - 0.20) / 0.62, 0.0, 1.0)));
   if (y > 0.20 && y < 0.76) ball(0.34, y, jugRadius, 0.5, Color(0.30, 0.48, 0.60));
   ball(0.56, 0.72, 0.105, 0.100, Color(0.92, 0.50, 0.12));
   ball(0.72, 0.75, 0.095, 0.092, Color(0.80, 0.16, 0.10));

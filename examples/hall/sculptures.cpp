@@ -17,7 +17,6 @@ using glm::dvec2;
 using glm::dvec3;
 using Bulge = Profile::Bulge;
 
-constexpr double kTurn = 2.0 * glm::pi<double>();
 constexpr double kPlinthHeight = 1.0;
 
 /// A (p, q) torus knot of about unit size around +Z.

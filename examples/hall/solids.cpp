@@ -13,7 +13,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kPi = glm::pi<double>();
 constexpr int kArchSegments = 24;
 
 void addTriangle(Surface& surface, const dvec3& a, const dvec3& b, const dvec3& c) {
@@ -37,7 +36,7 @@ void addFacing(Surface& surface, const dvec3& outward, std::array<dvec3, 4> corn
 }
 
 dvec3 archPoint(const ArchOpening& opening, int i) {
-  const double angle = kPi * (1.0 - static_cast<double>(i) / kArchSegments);
+  const double angle = glm::pi<double>() * (1.0 - static_cast<double>(i) / kArchSegments);
   return {opening.halfWidth * std::cos(angle), opening.springing + opening.halfWidth * std::sin(angle), 0.0};
 }
 
@@ -120,7 +119,7 @@ Surface tube(const std::function<dvec3(double)>& curve, const std::function<doub
     const double slope =
         (radius(u + kStep) - radius(u - kStep)) / glm::distance(curve(u + kStep), curve(u - kStep));
     for (int k = 0; k <= segmentsAround; ++k) {
-      const double angle = 2.0 * kPi * k / segmentsAround - twist * u;
+      const double angle = 2.0 * glm::pi<double>() * k / segmentsAround - twist * u;
       const dvec3 outward = std::cos(angle) * a + std::sin(angle) * b;
       surface.positions.push_back(centre + r * outward);
       surface.normals.push_back(glm::normalize(outward - slope * direction));

@@ -11,8 +11,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kPi = glm::pi<double>();
-
 /// Indices of a grid of (columns + 1) x (rows + 1) vertices, row by row, that begins at vertex `first`.
 void addGrid(std::vector<std::uint32_t>& indices, std::uint32_t first, int columns, int rows) {
   const auto stride = static_cast<std::uint32_t>(columns + 1);
@@ -95,7 +93,7 @@ Profile& Profile::lineTo(dvec2 end) {
 Profile& Profile::quarterTo(dvec2 end, Bulge bulge, int segments) {
   std::vector<dvec2> piece;
   for (int i = 0; i <= segments; ++i) {
-    const double angle = 0.5 * kPi * i / segments;
+    const double angle = 0.5 * glm::pi<double>() * i / segments;
     // Both run from 0 to 1; which of them runs ahead decides to which side the quarter bulges.
     const double fast = std::sin(angle), slow = 1.0 - std::cos(angle);
     const bool growing = end.x > last_.x;
@@ -136,7 +134,7 @@ Surface lathe(const Profile& profile, int segments) {
       if (j > 0) along += glm::distance(piece[j], piece[j - 1]);
       const dvec2 n = profileNormal(piece, j);
       for (int i = 0; i <= segments; ++i) {
-        const double angle = 2.0 * kPi * i / segments;
+        const double angle = 2.0 * glm::pi<double>() * i / segments;
         const dvec3 outward(std::sin(angle), 0.0, std::cos(angle));
         surface.positions.push_back(outward * piece[j].x + dvec3(0.0, piece[j].y, 0.0));
         surface.normals.push_back(outward * n.x + dvec3(0.0, n.y, 0.0));
@@ -174,7 +172,7 @@ Surface frame(double width, double height, const std::vector<dvec2>& profile) {
     const bool horizontal = side % 2 == 0;
     const double halfLength = 0.5 * (horizontal ? width : height);
     const double halfAcross = 0.5 * (horizontal ? height : width);
-    const glm::dmat4 turn = turned(0.5 * kPi * side, dvec3(0.0, 0.0, 1.0));
+    const glm::dmat4 turn = turned(0.5 * glm::pi<double>() * side, dvec3(0.0, 0.0, 1.0));
     Surface bar;
     for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
       const dvec2 p = profile[k], q = profile[k + 1];
@@ -190,7 +188,7 @@ Surface frame(double width, double height, const std::vector<dvec2>& profile) {
 Surface sphere(double radius, int segments, int rings) {
   return parametric(
       [radius](double u, double v) {
-        const double longitude = 2.0 * kPi * u, latitude = kPi * (v - 0.5);
+        const double longitude = 2.0 * glm::pi<double>() * u, latitude = glm::pi<double>() * (v - 0.5);
         return radius * dvec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
                               std::cos(latitude) * std::cos(longitude));
       },

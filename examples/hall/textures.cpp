@@ -7,7 +7,6 @@
 namespace promenade::hall {
 namespace {
 
-constexpr double kPi = glm::pi<double>();
 constexpr int kTiles = 4;  // across one period
 
 double fraction(double x) {
@@ -104,9 +103,11 @@ Picture damask() {
                           smoothStep(0.03, -0.03, r - petals) * smoothStep(-0.03, 0.03, r - 0.45 * petals));
       ornament = std::max(ornament, smoothStep(0.02, -0.02, r - 0.09));
     }
-    const double lattice = std::abs(std::cos(2.0 * kPi * (u + v)) * std::cos(2.0 * kPi * (u - v)));
+    const double lattice =
+        std::abs(std::cos(2.0 * glm::pi<double>() * (u + v)) * std::cos(2.0 * glm::pi<double>() * (u - v)));
     ornament = std::max(ornament, 0.6 * smoothStep(0.10, 0.04, lattice));
-    const double weave = 0.02 * std::sin(2.0 * kPi * 64.0 * v) * std::sin(2.0 * kPi * 64.0 * u);
+    const double weave =
+        0.02 * std::sin(2.0 * glm::pi<double>() * 64.0 * v) * std::sin(2.0 * glm::pi<double>() * 64.0 * u);
     return mix(ground, figure, ornament) * (1.0 + weave);
   });
 }

@@ -13,7 +13,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kPi = glm::pi<double>();
 constexpr double kCofferDegrees = 20.0;
 constexpr double kCofferLength = 0.9;
 constexpr double kSkylightHalf = 1.8;  // the three middle coffers of nine: sin(30 degrees) of the radius
@@ -78,9 +77,9 @@ Surface rosette() {
   const auto petals = [](double radius, double height, double count, double top) {
     return parametric(
         [=](double u, double v) {
-          const double angle = 2.0 * kPi * u;
+          const double angle = 2.0 * glm::pi<double>() * u;
           const double r = radius * v * (1.0 + 0.22 * v * std::cos(count * angle));
-          const double h = height * std::cos(0.5 * kPi * v * v) + top;
+          const double h = height * std::cos(0.5 * glm::pi<double>() * v * v) + top;
           return dvec3(r * std::cos(angle), kVaultRadius + 0.17 - h, r * std::sin(angle));
         },
         40, 4, {1.0, 1.0});
@@ -158,7 +157,7 @@ void addAisleCeilings(GltfWriter& gltf, const Palette& palette) {
   // A moulding around the opening, from the recess to the underside and a little below it.
   ceiling.add(frame(2.0 * kOpeningX, 2.0 * kOpeningZ,
                     {{0.0, -kRecess}, {0.0, 0.02}, {0.02, 0.045}, {0.09, 0.045}, {0.12, 0.015}, {0.12, 0.0}}),
-              turned(0.5 * kPi, {1, 0, 0}));
+              turned(0.5 * glm::pi<double>(), {1, 0, 0}));
   const MeshId ceilingMesh = gltf.addMesh("aisle-ceiling", ceiling, palette.whitePaint);
   const MeshId end = gltf.addMesh("aisle-ceiling-end", ceilingPanel(halfX, 0.25 * kBay), palette.whitePaint);
   const MeshId beam =

@@ -15,7 +15,6 @@ using glm::dvec2;
 using glm::dvec3;
 using Bulge = Profile::Bulge;
 
-constexpr double kPi = glm::pi<double>();
 constexpr double kDadoHeight = 1.0;
 constexpr double kCorniceBottom = 5.0;
 const ArchOpening kWindow{.sill = 1.0, .springing = 3.35, .halfWidth = 1.05};
@@ -64,13 +63,14 @@ Surface mullions() {
     s.add(box({-w, y - half, 0.0}, {w, y + half, 0.045}));
   }
   for (int k = 1; k < 6; ++k) {  // the rays of the fanlight
-    const double angle = kPi * k / 6.0;
+    const double angle = glm::pi<double>() * k / 6.0;
     s.add(rod({0.3 * w * std::cos(angle), kWindow.springing + 0.3 * w * std::sin(angle), 0.02},
               {w * std::cos(angle), kWindow.springing + w * std::sin(angle), 0.02}, 0.016, 6));
   }
   const auto ring = [](double radius) {
     return [radius](double u) {
-      return dvec3(radius * std::cos(kPi * u), kWindow.springing + radius * std::sin(kPi * u), 0.02);
+      return dvec3(radius * std::cos(glm::pi<double>() * u),
+                   kWindow.springing + radius * std::sin(glm::pi<double>() * u), 0.02);
     };
   };
   s.add(tube(
@@ -102,7 +102,7 @@ Surface endCornice() {
                                 .lineTo({0.17, kSpringing})
                                 .lineTo({0.0, kSpringing}),
                             -kVaultRadius, kVaultRadius);
-  return Surface().add(s, turned(-0.5 * kPi, {0, 1, 0}));
+  return Surface().add(s, turned(-0.5 * glm::pi<double>(), {0, 1, 0}));
 }
 
 /// Around the mouth of the apse, on the same wall: two rolls over the arch, a band down each side, and a
@@ -110,7 +110,8 @@ Surface endCornice() {
 Surface archivolt() {
   const auto arch = [](double radius) {
     return [radius](double u) {
-      return dvec3(-radius * std::cos(kPi * u), kApseSpringing + radius * std::sin(kPi * u), 0.02);
+      return dvec3(-radius * std::cos(glm::pi<double>() * u),
+                   kApseSpringing + radius * std::sin(glm::pi<double>() * u), 0.02);
     };
   };
   Surface s = tube(
@@ -129,16 +130,16 @@ Surface archivolt() {
 Surface apseWall() {
   return parametric(
       [](double u, double v) {
-        const double angle = kPi * (u - 0.5);
+        const double angle = glm::pi<double>() * (u - 0.5);
         return dvec3(kApseRadius * std::sin(angle), kApseSpringing * v, -kApseRadius * std::cos(angle));
       },
-      48, 1, {kPi * kApseRadius, -kApseSpringing});
+      48, 1, {glm::pi<double>() * kApseRadius, -kApseSpringing});
 }
 
 Surface apseDome() {
   return parametric(
       [](double u, double v) {
-        const double longitude = kPi * (u - 0.5), latitude = 0.5 * kPi * v;
+        const double longitude = glm::pi<double>() * (u - 0.5), latitude = 0.5 * glm::pi<double>() * v;
         // A shell: shallow flutes that vanish at the rim and at the top.
         const double fluting = 1.0 - 0.035 * std::abs(std::sin(9.0 * longitude)) * smoothStep(0.02, 0.2, v) *
                                          smoothStep(1.0, 0.8, v);

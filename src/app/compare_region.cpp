@@ -36,12 +36,11 @@ const Mask& Region::next(Size size) {
   const int file = frame_++;
   if (file > 0 && reader_->frameCount() == 1) return excluded_;
   const auto image = reader_->next();
-  const auto text = [](Size s) { return std::to_string(s.width) + "x" + std::to_string(s.height); };
   const std::string name = reader_->file(file).string();
   if (!image) throw InputError(name, "--mask: ends before its last frame");
   if (image->size() != size) {
-    throw InputError(
-        name, "--mask: expected the size of the frames, " + text(size) + ", found " + text(image->size()));
+    throw InputError(name, "--mask: expected the size of the frames, " + toString(size) + ", found " +
+                               toString(image->size()));
   }
   excluded_ = excludedBy(*image);
   if (std::ranges::find(excluded_.pixels(), 0) == excluded_.pixels().end()) {

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "src/app/formatted.h"
+
 namespace promenade::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 double badness(const FrameDifference& f, Metric metric) {
   switch (findingOf(metric)) {
@@ -36,14 +38,8 @@ double maxOf(const SequenceDifference& d, Value&& value) {
   return largest;
 }
 
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-std::string formatted(const char* format, auto... values) {
-  char buffer[512];
-  const int length = std::snprintf(buffer, sizeof(buffer), format, values...);
-  return std::string(buffer, static_cast<std::size_t>(std::clamp(length, 0, 511)));
+OrderedJson finite(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
 }  // namespace
@@ -100,9 +96,9 @@ std::size_t worstFrame(const SequenceDifference& d) {
 
 std::string differenceJson(const SequenceDifference& d) {
   const Finding finding = findingOf(d.metric);
-  Json frames = Json::array();
+  OrderedJson frames = OrderedJson::array();
   for (const FrameDifference& f : d.frames) {
-    Json frame = {{"index", f.index}};
+    OrderedJson frame = {{"index", f.index}};
     if (finding == Finding::kVisibility) {
       frame["percent_visible"] = f.percentVisible;
       frame["jnd_mean"] = f.jndMean;
@@ -117,7 +113,7 @@ std::string differenceJson(const SequenceDifference& d) {
     }
     frames.push_back(std::move(frame));
   }
-  Json root = {{"metric", nameOf(d.metric)}, {"ppd", d.pixelsPerDegree}, {"fps", d.framesPerSecond}};
+  OrderedJson root = {{"metric", nameOf(d.metric)}, {"ppd", d.pixelsPerDegree}, {"fps", d.framesPerSecond}};
   for (const auto& [name, value] : d.settings) root["settings"][name] = value;
   root["frames"] = std::move(frames);
   const FrameDifference& worst = d.frames[worstFrame(d)];

@@ -95,9 +95,9 @@ std::vector<ConfigEntry> fromToml(std::string_view text, const std::string& file
   return entries;
 }
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-std::string textOf(const Json& value, const std::string& place) {
+std::string textOf(const OrderedJson& value, const std::string& place) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number()) return value.dump();
@@ -106,7 +106,7 @@ std::string textOf(const Json& value, const std::string& place) {
 
 std::vector<ConfigEntry> fromJson(const std::string& text, const std::string& fileName,
                                   const std::string& verb, const std::vector<std::string>& verbs) {
-  const Json root = Json::parse(text, nullptr, false);
+  const OrderedJson root = OrderedJson::parse(text, nullptr, false);
   if (!root.is_object()) throw InputError(fileName, "expected a JSON object of options");
   std::vector<ConfigEntry> entries;
   for (const auto& [key, value] : root.items()) {

@@ -11,10 +11,6 @@
 namespace promenade::app {
 namespace {
 
-std::string text(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 // The metric must find what may not be warped: nothing is known of materials.
 ItemBuffer oneItem(const DepthMap& depth) {
   ItemBuffer item(depth.size());
@@ -31,7 +27,7 @@ Frame frameFrom(const std::filesystem::path& file, const Camera& camera) {
   const Size size = camera.size();
   if (read.radiance.size() != size) {
     throw InputError(file.string(),
-                     "expected " + text(size) + " samples, found " + text(read.radiance.size()));
+                     "expected " + toString(size) + " samples, found " + toString(read.radiance.size()));
   }
   Frame frame;
   frame.visibility.camera = camera;

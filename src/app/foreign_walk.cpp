@@ -32,10 +32,6 @@ struct ForeignWalk {
   std::map<int, fs::path> files;  ///< of --from; empty: frames are asked for
 };
 
-std::string text(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 void refuseWhatTheOtherDecides(const RenderOptions& options) {
   const char* by = options.from.empty() ? "--renderer" : "--from";
   for (const auto& [name, isGiven] :
@@ -88,7 +84,7 @@ ForeignWalk givenWalk(const RenderOptions& options) {
   const Size samples = io::readForeignFrame(walk.files.begin()->second).radiance.size();
   const int factor = job.settings.supersample;
   if (samples.width % factor != 0 || samples.height % factor != 0) {
-    throw InputError("--supersample: frames of " + text(samples) + " samples are no multiple of " +
+    throw InputError("--supersample: frames of " + toString(samples) + " samples are no multiple of " +
                      std::to_string(factor) + "; 1 takes them as they are");
   }
   job.settings.size = {samples.width / factor, samples.height / factor};

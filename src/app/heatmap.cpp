@@ -16,7 +16,7 @@ namespace promenade::app {
 namespace {
 
 constexpr Size kSmallestPanel{512, 270};
-constexpr int kLargestSide = 4096;
+constexpr int kLargestPanelSide = 4096;
 constexpr int kLine = kLetterHeight + 6;
 constexpr int kBarRows = 12;
 constexpr int kGap = 8;
@@ -31,7 +31,7 @@ struct Zoom {
   explicit Zoom(Size frame)
       : enlarge(
             std::max(1, std::min(kSmallestPanel.width / frame.width, kSmallestPanel.height / frame.height))),
-        reduce((std::max(frame.width, frame.height) + kLargestSide - 1) / kLargestSide) {}
+        reduce((std::max(frame.width, frame.height) + kLargestPanelSide - 1) / kLargestPanelSide) {}
   [[nodiscard]] int shown(int side) const { return (side + reduce - 1) / reduce * enlarge; }
 };
 

@@ -8,20 +8,20 @@
 namespace promenade::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json scriptOf(const Json& arguments) {
+OrderedJson scriptOf(const OrderedJson& arguments) {
   return {{"actions", {{"onRun", {{"command", "{{Param.Promenade}}"}, {"args", arguments}}}}}};
 }
 
-Json stepOf(const Stage& stage) {
-  Json step = {{"name", stage.kind == TaskKind::kPrepare    ? "Prepare"
-                        : stage.kind == TaskKind::kKeyframe ? "Keyframes"
-                                                            : "Parts"}};
+OrderedJson stepOf(const Stage& stage) {
+  OrderedJson step = {{"name", stage.kind == TaskKind::kPrepare    ? "Prepare"
+                               : stage.kind == TaskKind::kKeyframe ? "Keyframes"
+                                                                   : "Parts"}};
   std::string range = std::to_string(stage.first);
   if (stage.count > 1) range.append("-").append(std::to_string(stage.first + stage.count - 1));
-  step["parameterSpace"] = {
-      {"taskParameterDefinitions", Json::array({{{"name", "Task"}, {"type", "INT"}, {"range", range}}})}};
+  step["parameterSpace"] = {{"taskParameterDefinitions",
+                             OrderedJson::array({{{"name", "Task"}, {"type", "INT"}, {"range", range}}})}};
   step["script"] = scriptOf({"work", "{{Param.Folder}}", "--task", "{{Task.Param.Task}}"});
   return step;
 }
@@ -36,27 +36,27 @@ std::string jobName(const std::string& walk) {
 
 }  // namespace
 
-Json openJobTemplate(const std::string& name, const std::vector<Task>& tasks) {
-  Json steps = Json::array();
+OrderedJson openJobTemplate(const std::string& name, const std::vector<Task>& tasks) {
+  OrderedJson steps = OrderedJson::array();
   for (const Stage& stage : stagesOf(tasks)) steps.push_back(stepOf(stage));
   steps.push_back({{"name", "Assemble"}, {"script", scriptOf({"assemble", "{{Param.Folder}}"})}});
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    steps[i]["dependencies"] = Json::array({{{"dependsOn", steps[i - 1]["name"]}}});
+    steps[i]["dependencies"] = OrderedJson::array({{{"dependsOn", steps[i - 1]["name"]}}});
   }
-  return {
-      {"specificationVersion", "jobtemplate-2023-09"},
-      {"name", jobName(name)},
-      {"parameterDefinitions", Json::array({{{"name", "Folder"},
-                                             {"type", "PATH"},
-                                             {"objectType", "DIRECTORY"},
-                                             {"dataFlow", "INOUT"},
-                                             {"default", "."},
-                                             {"description", "The planned job; all machines must see it"}},
-                                            {{"name", "Promenade"},
-                                             {"type", "STRING"},
-                                             {"default", "promenade"},
-                                             {"description", "The program"}}})},
-      {"steps", std::move(steps)}};
+  return {{"specificationVersion", "jobtemplate-2023-09"},
+          {"name", jobName(name)},
+          {"parameterDefinitions",
+           OrderedJson::array({{{"name", "Folder"},
+                                {"type", "PATH"},
+                                {"objectType", "DIRECTORY"},
+                                {"dataFlow", "INOUT"},
+                                {"default", "."},
+                                {"description", "The planned job; all machines must see it"}},
+                               {{"name", "Promenade"},
+                                {"type", "STRING"},
+                                {"default", "promenade"},
+                                {"description", "The program"}}})},
+          {"steps", std::move(steps)}};
 }
 
 }  // namespace promenade::app

@@ -4,16 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "src/app/formatted.h"
+
 namespace promenade::app {
-namespace {
-
-std::string formatted(const char* format, auto... values) {
-  char buffer[96];
-  const int length = std::snprintf(buffer, sizeof(buffer), format, values...);
-  return std::string(buffer, static_cast<std::size_t>(std::clamp(length, 0, 95)));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string duration(double seconds) {
   const auto s = static_cast<long long>(std::llround(std::clamp(seconds, 0.0, 1e9)));

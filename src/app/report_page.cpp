@@ -12,7 +12,7 @@
 namespace promenade::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string cssColour(const Rgb& colour) {
   char text[16];
@@ -56,10 +56,10 @@ std::string forScriptElement(const std::string& json) {
   return out;
 }
 
-Json picturesJson(const ReportContents& contents) {
-  Json frames = Json::array();
+OrderedJson picturesJson(const ReportContents& contents) {
+  OrderedJson frames = OrderedJson::array();
   for (const FramePictures& f : contents.frames) {
-    Json frame = {{"index", f.index}};
+    OrderedJson frame = {{"index", f.index}};
     const auto add = [&](const char* kind, const std::string& uri) {
       if (!uri.empty()) frame[kind] = uri;
     };
@@ -73,15 +73,15 @@ Json picturesJson(const ReportContents& contents) {
   return {{"size", {contents.pictureSize.width, contents.pictureSize.height}}, {"frames", std::move(frames)}};
 }
 
-Json sourcesJson() {
-  Json sources = Json::array();
+OrderedJson sourcesJson() {
+  OrderedJson sources = OrderedJson::array();
   for (const SourceLook& look : sourceLooks()) {
     sources.push_back({{"key", look.key}, {"name", look.name}, {"colour", cssColour(look.colour)}});
   }
   return sources;
 }
 
-Json visibilityJson() {
+OrderedJson visibilityJson() {
   return {
       {{"name", "grey: no difference is seen"}, {"colour", cssColour(visibilityColour(0.0f, 0.35f))}},
       {{"name", "seen by half the viewers"}, {"colour", cssColour(visibilityColour(0.5f, 0.35f))}},
@@ -90,7 +90,7 @@ Json visibilityJson() {
 }
 
 // Of the frames that were compared with a reference; null if none was.
-Json comparisonJson(const std::vector<FramePictures>& frames) {
+OrderedJson comparisonJson(const std::vector<FramePictures>& frames) {
   double sum = 0.0;
   int count = 0;
   const FramePictures* worst = nullptr;
@@ -107,9 +107,9 @@ Json comparisonJson(const std::vector<FramePictures>& frames) {
 }
 
 std::string dataJson(const RenderedJob& job, const ReportContents& contents) {
-  Json rest = {
+  OrderedJson rest = {
       {"pictures", picturesJson(contents)}, {"sources", sourcesJson()}, {"visibility", visibilityJson()}};
-  if (const Json comparison = comparisonJson(contents.frames); !comparison.is_null())
+  if (const OrderedJson comparison = comparisonJson(contents.frames); !comparison.is_null())
     rest["comparison"] = comparison;
   if (contents.speedup) {
     const Speedup& speedup = *contents.speedup;
@@ -119,7 +119,7 @@ std::string dataJson(const RenderedJob& job, const ReportContents& contents) {
   }
   // report.json goes in as it stands: its numbers are not even formatted again.
   return "{\"report\":" + job.report + "," +
-         rest.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
+         rest.dump(-1, ' ', false, OrderedJson::error_handler_t::replace).substr(1);
 }
 
 bool isSameJobTracedWhole(const RenderedJob& job, const RenderedJob& reference) {

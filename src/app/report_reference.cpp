@@ -9,19 +9,12 @@
 #include "src/io/web_picture.h"
 
 namespace promenade::app {
-namespace {
-
-std::string sizeText(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
-}  // namespace
 
 void addReference(std::vector<FramePictures>& pictures, const RenderedJob& job, const RenderedJob& reference,
                   Size size, const ProgressCallback& progress) {
   if (reference.size != job.size) {
-    throw InputError(reference.folder.string() + " has frames of " + sizeText(reference.size) + " and " +
-                     job.folder.string() + " of " + sizeText(job.size) +
+    throw InputError(reference.folder.string() + " has frames of " + toString(reference.size) + " and " +
+                     job.folder.string() + " of " + toString(job.size) +
                      ": a reference has the size of the result");
   }
   Viewing viewing;
@@ -38,7 +31,7 @@ void addReference(std::vector<FramePictures>& pictures, const RenderedJob& job, 
     const io::ImageFile traced = io::readImage(reference.frame(frame.index));
     if (traced.size() != shown.size()) {
       throw InputError(reference.frame(frame.index).string(),
-                       "expected " + sizeText(shown.size()) + ", found " + sizeText(traced.size()));
+                       "expected " + toString(shown.size()) + ", found " + toString(traced.size()));
     }
     const Shown both = shownBoth(shown, traced, viewing, frame.index);
     const EncodedMap test = encodedOf(shown, both);

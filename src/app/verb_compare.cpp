@@ -27,10 +27,6 @@
 namespace promenade::app {
 namespace {
 
-std::string sizeText(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 std::string countText(int frames) {
   return std::to_string(frames) + (frames == 1 ? " frame" : " frames");
 }
@@ -65,7 +61,7 @@ struct Pair {
   const Shown& shown;
 };
 
-struct Frame {
+struct ComparedFrame {
   const CompareOptions& options;
   Metric metric;
   int index;
@@ -78,7 +74,7 @@ EncodedMap pictureOf(const io::ImageFile& image, const Viewing& viewing, const S
 
 // A metric of visibility, and its files.
 FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityMap& velocity,
-                       const aqm::Settings& settings, const Frame& frame, const Mask& excluded) {
+                       const aqm::Settings& settings, const ComparedFrame& frame, const Mask& excluded) {
   const LuminanceMap test = luminanceOf(pair.test, viewing, pair.shown, pair.testFile);
   const LuminanceMap reference = luminanceOf(pair.reference, viewing, pair.shown, pair.referenceFile);
   const aqm::Result result = aqm::compare(test, reference, velocity, settings);
@@ -203,8 +199,8 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
     const auto b = reference.next();
     if (!a || !b) throw InputError((a ? options.reference : options.test) + ": ends before its last frame");
     if (a->size() != b->size()) {
-      throw InputError(test.file(index).string() + " is " + sizeText(a->size()) + " and " +
-                       reference.file(index).string() + " is " + sizeText(b->size()) +
+      throw InputError(test.file(index).string() + " is " + toString(a->size()) + " and " +
+                       reference.file(index).string() + " is " + toString(b->size()) +
                        ": only images of equal size can be compared");
     }
     const Shown shown = shownBoth(*a, *b, viewing, index);

@@ -12,7 +12,7 @@ namespace promenade {
 namespace {
 
 // Nobody adapts to less, and logarithms stay finite.
-constexpr double kDarkest = 1e-6;
+constexpr double kDarkestAdaptation = 1e-6;
 
 double timeConstant(double luminance) {
   constexpr double kRods = 0.4;
@@ -70,7 +70,7 @@ View viewOf(int frame, std::vector<double> luminances, double candelas) {
 
 AdaptationCurve::AdaptationCurve(std::vector<View> views, double framesPerSecond) : views_(std::move(views)) {
   assert(!views_.empty() && framesPerSecond > 0.0);
-  const auto logOf = [](const View& view) { return std::log(std::max(view.luminance, kDarkest)); };
+  const auto logOf = [](const View& view) { return std::log(std::max(view.luminance, kDarkestAdaptation)); };
   states_.reserve(static_cast<std::size_t>(views_.back().frame - views_.front().frame + 1));
   double now = std::exp(logOf(views_.front()));
   std::size_t next = 1;
@@ -93,7 +93,7 @@ AdaptationCurve::AdaptationCurve(std::vector<View> views, double framesPerSecond
         isFirst ? 0.0 : (view.frame - views_[histograms_.size() - 1].frame) / framesPerSecond;
     histograms_.push_back(isFirst ? view.histogram
                                   : mixed(histograms_.back(), view.histogram,
-                                          followed(seconds, std::max(view.luminance, kDarkest))));
+                                          followed(seconds, std::max(view.luminance, kDarkestAdaptation))));
   }
 }
 

@@ -19,8 +19,8 @@ constexpr int kCells = 64;          // across
 constexpr double kBlur = 6.0;       // cells: a tenth of the width
 constexpr double kSmoothing = 1.0;  // cells
 constexpr int kSmoothings = 4;      // limits that are smoothed push out their neighbours a little
-constexpr float kGrey = 0.18f;
-constexpr float kDarkest = kGrey / 16.0f;
+constexpr float kMiddleGrey = 0.18f;
+constexpr float kDarkestAverage = kMiddleGrey / 16.0f;
 
 Size gridFor(Size picture) {
   const int columns = std::min(kCells, picture.width);
@@ -66,7 +66,7 @@ Surroundings::Surroundings(std::span<const RadianceMap* const> pictures, float e
   const Size grid = gridFor(size);
   const RadianceMap means = cellMeans(pictures, exposure, grid);
   RadianceMap scale = blurred(means, kBlur);
-  for (Rgb& value : scale.pixels()) value = Rgb(kGrey) / std::max(value.g, kDarkest);
+  for (Rgb& value : scale.pixels()) value = Rgb(kMiddleGrey) / std::max(value.g, kDarkestAverage);
   for (int pass = 0; pass < kSmoothings; ++pass) {
     for (std::size_t i = 0; i < means.pixels().size(); ++i) {
       const float shown = means.pixels()[i].g * scale.pixels()[i].g;

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct Size {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
 };
+
+/// As people write sizes: "640x360".
+[[nodiscard]] inline std::string toString(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 /// A row-major raster. Copying is explicit (clone()), because an accidental copy of a frame is never wanted.
 /// Precondition of every access: 0 <= x < width(), 0 <= y < height().

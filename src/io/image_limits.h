@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaximumPixelsPerByte = 10000;
 inline constexpr std::size_t kAlwaysAllowedPixels = std::size_t{1} << 24;
 
 inline void requireReasonableSize(const std::filesystem::path& file, Size size) {
-  const std::string found = std::to_string(size.width) + "x" + std::to_string(size.height);
+  const std::string found = toString(size);
   if (size.width < 1 || size.height < 1) {
     throw InputError(file.string(), "expected an image of at least 1x1 pixels, found " + found);
   }

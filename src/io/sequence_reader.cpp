@@ -52,11 +52,9 @@ std::optional<ImageFile> SequenceReader::next() {
   }
   if (frame == 0) state.firstSize = image.size();
   if (image.size() != state.firstSize) {
-    const auto text = [](Size size) {
-      return std::to_string(size.width) + "x" + std::to_string(size.height);
-    };
-    throw InputError(file(frame).string(), "expected the size of the first frame, " + text(state.firstSize) +
-                                               ", found " + text(image.size()));
+    throw InputError(file(frame).string(), "expected the size of the first frame, " +
+                                               toString(state.firstSize) + ", found " +
+                                               toString(image.size()));
   }
   return image;
 }

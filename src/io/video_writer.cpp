@@ -39,10 +39,6 @@ EncoderChoice choiceFor(VideoFormat format) {
   throw InputError("unknown video format");
 }
 
-std::string sizeText(Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 bool cpuHasAvx512() {
 #ifdef __x86_64__
   return __builtin_cpu_supports("avx512f");
@@ -105,7 +101,7 @@ VideoWriter::State::State(const fs::path& path, Size frameSize, FrameRate frameR
     : format_(videoFormatOf(path)), size_(frameSize), file_(path) {
   redirectLibavLog();
   if (size_.width < 1 || size_.height < 1) {
-    throw InputError(path.string(), "expected frames of at least 1x1 pixels, found " + sizeText(size_));
+    throw InputError(path.string(), "expected frames of at least 1x1 pixels, found " + toString(size_));
   }
   const EncoderChoice choice = choiceFor(format_);
   const AVCodec* encoder = avcodec_find_encoder_by_name(choice.encoder);
@@ -123,7 +119,7 @@ VideoWriter::State::State(const fs::path& path, Size frameSize, FrameRate frameR
   configure(choice, frameRate);
   if (const int error = avcodec_open2(codec_.get(), encoder, nullptr); error < 0) {
     throw InputError(path.string(), std::string("encoder ") + choice.encoder + " refuses frames of " +
-                                        sizeText(size_) + ": " + libavMessage(error));
+                                        toString(size_) + ": " + libavMessage(error));
   }
 
   stream_ = avformat_new_stream(muxer_.get(), nullptr);
@@ -224,8 +220,8 @@ void VideoWriter::State::encode(const AVFrame* frame) {
 void VideoWriter::State::write(const EncodedMap& image) {
   if (image.size() != size_) {
     throw InputError(file_.finalPath().string(), "frame " + std::to_string(frames_) + ": expected " +
-                                                     sizeText(size_) + " pixels, found " +
-                                                     sizeText(image.size()));
+                                                     toString(size_) + " pixels, found " +
+                                                     toString(image.size()));
   }
   check(av_frame_make_writable(frame_.get()), "allocate a frame");
   fillFrame(*frame_, image);

@@ -1,5 +1,6 @@
 #include "src/render/albedo_tables.h"
 
+#include "src/render/maths.h"
 #include "src/render/microfacet.h"
 
 namespace promenade::render {
@@ -39,7 +40,7 @@ float unitOf(std::size_t index, std::size_t count) {
 
 // Smoother surfaces than kSmoothRoughness are not looked up. The axis is the root of the roughness: the scale
 // of things is alpha, its fourth power, and entries should not be many times apart.
-float alphaOf(float roughness) {
+float alphaAt(float roughness) {
   return roughness * roughness;
 }
 
@@ -69,13 +70,9 @@ float mix(float a, float b, float t) {
   return a + (b - a) * t;
 }
 
-glm::vec3 directionOf(float cosine) {
-  return {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine};
-}
-
 SpecularAlbedo integrateReflection(float cosine, float roughness) {
-  const Ggx ggx(alphaOf(roughness));
-  const glm::vec3 wo = directionOf(cosine);
+  const Ggx ggx(alphaAt(roughness));
+  const glm::vec3 wo = directionAt(cosine);
   double whole = 0.0;
   double bias = 0.0;
   double weights = 0.0;
@@ -94,8 +91,8 @@ SpecularAlbedo integrateReflection(float cosine, float roughness) {
 }
 
 float integrateBoundary(float cosine, float roughness, float relativeIor) {
-  const Ggx ggx(alphaOf(roughness));
-  const glm::vec3 wo = directionOf(cosine);
+  const Ggx ggx(alphaAt(roughness));
+  const glm::vec3 wo = directionAt(cosine);
   const float f0 = reflectanceOfIor(relativeIor);
   double sum = 0.0;
   double weights = 0.0;
@@ -140,7 +137,7 @@ SpecularAlbedoTable::SpecularAlbedoTable() : average_{} {
     for (std::size_t c = 0; c < kCosines; ++c) {
       const float unit = unitOf(c, kCosines);
       whole_[r * kCosines + c] =
-          integrateReflection(cosineAtMasking(unit, alphaOf(roughness)), roughness).whole();
+          integrateReflection(cosineAtMasking(unit, alphaAt(roughness)), roughness).whole();
       const float cosine = cosineAtFresnel(unit);
       const SpecularAlbedo albedo = integrateReflection(cosine, roughness);
       biasShare_[r * kCosines + c] = albedo.bias / albedo.whole() - schlickWeight(cosine);
@@ -174,7 +171,7 @@ SpecularAlbedoTable::Row SpecularAlbedoTable::at(float roughness) const {
   row.whole_ = whole_.data() + r.index * kCosines;
   row.biasShare_ = biasShare_.data() + r.index * kCosines;
   row.fraction_ = r.fraction;
-  row.alpha_ = alphaOf(roughness);
+  row.alpha_ = alphaAt(roughness);
   const TablePosition a = TablePosition::on(coordinate, kAverages);
   const SpecularAlbedo& low = average_[a.index];
   const SpecularAlbedo& high = average_[a.index + 1];
@@ -188,7 +185,7 @@ BoundaryAlbedoTable::BoundaryAlbedoTable() {
       for (std::size_t r = 0; r < kRoughnesses; ++r) {
         const float roughness = roughnessOf(r, kRoughnesses);
         for (std::size_t c = 0; c < kCosines; ++c) {
-          const float cosine = cosineAtMasking(unitOf(c, kCosines), alphaOf(roughness));
+          const float cosine = cosineAtMasking(unitOf(c, kCosines), alphaAt(roughness));
           values_.push_back(integrateBoundary(cosine, roughness, iorOf(i, kIors, side)));
         }
       }
@@ -197,7 +194,7 @@ BoundaryAlbedoTable::BoundaryAlbedoTable() {
 }
 
 float BoundaryAlbedoTable::directional(float cosine, float roughness, float relativeIor) const {
-  const float alpha = alphaOf(std::max(roughness, kSmoothRoughness));
+  const float alpha = alphaAt(std::max(roughness, kSmoothRoughness));
   const std::size_t side = relativeIor >= 1.0f ? 0 : kIors;
   const TablePosition i = TablePosition::on(iorCoordinate(relativeIor), kIors);
   const TablePosition r = TablePosition::on(roughnessCoordinate(roughness), kRoughnesses);

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "src/render/maths.h"
 #include "src/render/ray_offset.h"
 #include "src/render/triangle_parts.h"
 
@@ -25,7 +26,6 @@ static_assert(kRaysPerGroup <= EmbreeScene::kPacket);
 /// Of samples that go by how much would come if nothing stood between.
 constexpr float kUnseenShare = 0.3f;
 constexpr float kLeastCosine = 1e-6f;
-constexpr float kOneBelow = 0.99999994f;
 
 LightBounds boundsOf(const Surfaces::Corners& c, const TrianglePart& part, std::uint32_t divisions,
                      const glm::vec3& axis, float intensity) {

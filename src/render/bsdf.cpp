@@ -6,21 +6,11 @@
 #include <cmath>
 
 #include "src/render/basis.h"
+#include "src/render/maths.h"
 #include "src/render/scattering_surface.h"
 
 namespace promenade::render {
-namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kCoatF0 = 0.04f;
-constexpr glm::vec3 kNormal(0.0f, 0.0f, 1.0f);
-
-/// Any direction at that angle: scattering is isotropic.
-glm::vec3 directionOf(float cosine) {
-  return {std::sqrt(std::max(0.0f, 1.0f - cosine * cosine)), 0.0f, cosine};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 BsdfValue ScatteringSurface::evaluateReflection(const glm::vec3& wi) const {
   BsdfValue value;
@@ -100,7 +90,7 @@ BsdfValue ScatteringSurface::evaluate(const glm::vec3& wi) const {
 }
 
 BsdfSample ScatteringSurface::sampleSmoothBase(float choose) const {
-  const FacetColors colors = facetColors(kNormal);
+  const FacetColors colors = facetColors(kLocalNormal);
   const float reflects = colors.reflectionProbability();
   BsdfSample result;
   result.delta = true;
@@ -110,7 +100,7 @@ BsdfSample ScatteringSurface::sampleSmoothBase(float choose) const {
     result.viewDependent = colors.reflected * (underCoat_ / result.pdf);
     return result;
   }
-  result.wi = thin_ > 0.0f ? -wo_ : refractThrough(wo_, kNormal, relativeIor_).direction;
+  result.wi = thin_ > 0.0f ? -wo_ : refractThrough(wo_, kLocalNormal, relativeIor_).direction;
   result.pdf = chooseFacet_ * (1.0f - reflects);
   result.viewDependent = colors.transmitted * (underCoat_ / result.pdf);
   return result;
@@ -172,12 +162,12 @@ BsdfSample sampleBsdf(const BsdfParameters& parameters, const glm::vec3& wo, flo
 
 BsdfAlbedo bsdfAlbedo(const BsdfParameters& parameters, float cosThetaOut) {
   if (!(cosThetaOut > 0.0f)) return {};
-  return ScatteringSurface(parameters, directionOf(cosThetaOut)).albedo();
+  return ScatteringSurface(parameters, directionAt(cosThetaOut)).albedo();
 }
 
 Rgb straightTransmittance(const BsdfParameters& parameters, float cosThetaOut) {
   if (!(cosThetaOut > 0.0f) || parameters.transmission <= 0.0f || !parameters.thinWalled) return Rgb(0.0f);
-  return ScatteringSurface(parameters, directionOf(cosThetaOut)).straightTransmittance();
+  return ScatteringSurface(parameters, directionAt(cosThetaOut)).straightTransmittance();
 }
 
 }  // namespace promenade::render

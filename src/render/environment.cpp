@@ -6,11 +6,10 @@
 #include <numbers>
 
 #include "src/core/display.h"
+#include "src/render/maths.h"
 
 namespace promenade::render {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 Rgb usable(const Rgb& value) {
   const auto channel = [](float v) {

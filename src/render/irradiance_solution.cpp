@@ -16,7 +16,7 @@ namespace promenade::render {
 namespace {
 
 /// Mirrors, glass and blended surfaces followed from the eye to what they show.
-constexpr int kMostPassages = 4;
+constexpr int kMostPassagesOfRecords = 4;
 /// Smoother reflections than this show their surroundings clearly enough to be asked for a solution there.
 constexpr float kMirrorRoughness = 0.3f;
 constexpr int kProbes = 8 * EmbreeScene::kPacket;
@@ -33,7 +33,7 @@ struct Candidate {
 void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
                    std::vector<Candidate>& candidates) {
   const Surfaces& surfaces = tracer.surfaces();
-  for (int passage = 0; passage <= kMostPassages; ++passage) {
+  for (int passage = 0; passage <= kMostPassagesOfRecords; ++passage) {
     const Hit hit = tracer.embree().intersect(ray);
     if (!hit.found()) return;
     width += spread * hit.distance;

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
-#include <numbers>
+
+#include "src/render/maths.h"
 
 namespace promenade::render {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 /// A light on the horizon gives a surface nothing, and says nothing of its radiance.
-constexpr float kLeastCosine = 0.02f;
+constexpr float kLeastFieldCosine = 0.02f;
 
 /// Of RGB9E5, and of float.
 constexpr std::uint32_t kMantissa = 0x1ffu, kBias = 15 + 9, kFloatBias = 127;
@@ -164,7 +164,7 @@ void FieldSums::addPath(const glm::vec3& direction, const Rgb& radiance) {
 }
 
 void FieldSums::addLight(const glm::vec3& direction, const Rgb& share) {
-  if (!(direction.z > kLeastCosine)) return;
+  if (!(direction.z > kLeastFieldCosine)) return;
   // share = L cos / pi per solid angle
   const Rgb arriving = share * (kPi / direction.z);
   spread(direction, [&](std::size_t cell, float weight) { lights_[cell] += weight * arriving; });

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 #include <limits>
+
+#include "src/render/maths.h"
 
 namespace promenade::render {
 namespace {
 
-constexpr float kPi = glm::pi<float>();
 constexpr int kBuckets = 12;
 
 float sineOf(float cosine) {

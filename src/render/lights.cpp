@@ -4,14 +4,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
+#include "src/render/maths.h"
 #include "src/render/ray_offset.h"
 
 namespace promenade::render {
 namespace {
-
-constexpr float kPi = glm::pi<float>();
 
 float luminance(const Rgb& c) {
   return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;

@@ -10,6 +10,7 @@
 // - What lies under the clearcoat is scaled by 1 - the coat's albedo towards wo, where the extension has the
 //   Fresnel term there: like the extension's, not reciprocal.
 #include "src/render/scattering_surface.h"
+#include "src/render/maths.h"
 
 #include <cassert>
 #include <cmath>
@@ -20,9 +21,6 @@
 namespace promenade::render {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kCoatF0 = 0.04f;
-constexpr glm::vec3 kNormal(0.0f, 0.0f, 1.0f);
 // Below this, rough refraction bends too little for a half vector to be told from rounding.
 constexpr float kSmallestRoughIor = 1.01f;
 
@@ -31,9 +29,6 @@ float unitRange(float v) {
 }
 float alphaOf(float roughness) {
   return unitRange(roughness) * unitRange(roughness);
-}
-float meanOf(const Rgb& v) {
-  return (v.r + v.g + v.b) * (1.0f / 3.0f);
 }
 float maxOf(const Rgb& v) {
   return std::max({v.r, v.g, v.b});
@@ -167,7 +162,7 @@ BsdfAlbedo ScatteringSurface::albedo() const {
     Rgb base = f0_ * out_.scale + Rgb(f90_ * out_.bias) + againColor_ * missing +
                base_ * (thin_ * (1.0f - layerAlbedo(out_)));
     if (refracting_ > 0.0f) {
-      const Refraction refraction = refractThrough(wo_, kNormal, relativeIor_);
+      const Refraction refraction = refractThrough(wo_, kLocalNormal, relativeIor_);
       const Rgb fresnel = refraction.cosine > 0.0f
                               ? schlick(dielectricF0_, dielectricF90_,
                                         boundarySchlickWeight(wo_.z, refraction.cosine, relativeIor_))
@@ -197,8 +192,8 @@ DeltaLobes ScatteringSurface::deltaLobes() const {
   if (!hasDeltaLobes_) return lobes;
   auto& [through, base, coat] = lobes;
   if (smooth_) {
-    const FacetColors colors = facetColors(kNormal);
-    through = {thin_ > 0.0f ? -wo_ : refractThrough(wo_, kNormal, relativeIor_).direction,
+    const FacetColors colors = facetColors(kLocalNormal);
+    through = {thin_ > 0.0f ? -wo_ : refractThrough(wo_, kLocalNormal, relativeIor_).direction,
                underCoat_ * colors.transmitted};
     base = {{-wo_.x, -wo_.y, wo_.z}, underCoat_ * colors.reflected};
   }
@@ -225,7 +220,7 @@ ScatteringSurface ScatteringSurface::withoutDeltaLobes() const {
 
 Rgb ScatteringSurface::straightTransmittance() const {
   if (!smooth_ || thin_ <= 0.0f) return Rgb(0.0f);
-  return facetColors(kNormal).transmitted * underCoat_;
+  return facetColors(kLocalNormal).transmitted * underCoat_;
 }
 
 }  // namespace promenade::render

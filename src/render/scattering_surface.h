@@ -16,6 +16,9 @@
 
 namespace promenade::render {
 
+inline constexpr float kCoatF0 = 0.04f;                     ///< a clearcoat's index of refraction is 1.5
+inline constexpr glm::vec3 kLocalNormal(0.0f, 0.0f, 1.0f);  ///< of the shading frame
+
 /// The only direction from which a smooth part of a surface sends light to wo.
 struct DeltaLobe {
   glm::vec3 wi{0.0f};  ///< unit, local; z < 0: behind the surface, straight on where the wall is thin

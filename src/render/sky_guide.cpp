@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
+
+#include "src/render/maths.h"
 
 namespace promenade::render {
 namespace {
@@ -13,8 +14,6 @@ constexpr int kRaysPerBin = 2;
 constexpr int kEnvironmentRays = 64;  ///< chosen by the environment, to see how many of those arrive
 constexpr float kLeastShare = 0.25f;
 constexpr float kMostShare = 0.9f;
-constexpr float kPi = glm::pi<float>();
-constexpr float kOneBelow = 0.99999994f;
 
 /// Clarberg 2008, as in PBRT 4th ed., 3.8.3, about +Y.
 glm::vec3 directionAt(int bin, float du, float dv) {
@@ -46,10 +45,6 @@ int binOf(const glm::vec3& direction) {
     return std::clamp(static_cast<int>(position), 0, SkyGuide::kEdge - 1);
   };
   return indexOf(v, direction.z) * SkyGuide::kEdge + indexOf(u, direction.x);
-}
-
-float meanOf(const Rgb& c) {
-  return (c.x + c.y + c.z) / 3.0f;
 }
 
 /// Traces rays in packets and hands each its transmittance.

@@ -10,7 +10,7 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
 /// Little-endian, as the container asks. Precondition: at + 4 <= bytes.size().
-std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at) {
+std::uint32_t littleEndianWord(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
 }
@@ -18,7 +18,7 @@ std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at) {
 }  // namespace
 
 bool isGlb(std::span<const std::uint8_t> bytes) {
-  return bytes.size() >= 4 && word(bytes, 0) == kMagic;
+  return bytes.size() >= 4 && littleEndianWord(bytes, 0) == kMagic;
 }
 
 GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& source) {
@@ -26,10 +26,10 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& sourc
     throw InputError(source,
                      "the GLB header is cut off: expected 12 bytes, found " + std::to_string(bytes.size()));
   }
-  if (word(bytes, 4) != 2) {
-    throw InputError(source, "expected GLB version 2, found " + std::to_string(word(bytes, 4)));
+  if (littleEndianWord(bytes, 4) != 2) {
+    throw InputError(source, "expected GLB version 2, found " + std::to_string(littleEndianWord(bytes, 4)));
   }
-  const std::uint32_t length = word(bytes, 8);
+  const std::uint32_t length = littleEndianWord(bytes, 8);
   if (length > bytes.size()) {
     throw InputError(source, "the GLB header gives a length of " + std::to_string(length) +
                                  " bytes, the file has " + std::to_string(bytes.size()));
@@ -42,8 +42,8 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& sourc
     if (bytes.size() - at < 8) {
       throw InputError(source, where + ": its header is cut off");
     }
-    const std::size_t size = word(bytes, at);
-    const std::uint32_t type = word(bytes, at + 4);
+    const std::size_t size = littleEndianWord(bytes, at);
+    const std::uint32_t type = littleEndianWord(bytes, at + 4);
     at += 8;
     if (size > bytes.size() - at) {
       throw InputError(source, where + ": needs " + std::to_string(size) + " bytes, the file has " +

@@ -9,8 +9,6 @@
 namespace promenade::scene {
 namespace {
 
-constexpr double kLargestCoordinate = 1e15;
-
 /// The object transforms of EXT_mesh_gpu_instancing, or one identity where the node does not use it.
 std::vector<glm::dmat4> objectTransforms(const Gltf& gltf, int nodeIndex, const Accessors& accessors,
                                          Budget& budget) {

@@ -240,9 +240,9 @@ std::string excerpt(const json& value) {
   return printable(value.dump().substr(0, 40));
 }
 
-class Checker {
+class TypeChecker {
  public:
-  explicit Checker(const std::string& source) : source_(source) {}
+  explicit TypeChecker(const std::string& source) : source_(source) {}
 
   void object(json& value, const std::string& path) {
     for (auto& [key, member] : value.items()) {
@@ -274,7 +274,7 @@ class Checker {
 }  // namespace
 
 void checkPropertyTypes(nlohmann::json& document, const std::string& source) {
-  Checker(source).object(document, "");
+  TypeChecker(source).object(document, "");
 }
 
 }  // namespace promenade::scene

@@ -39,7 +39,7 @@ std::string firstLine(const std::string& text) {
   return printable(text.substr(0, text.find('\n')));
 }
 
-tinygltf::Model parseModel(const std::string& json, const std::string& source) {
+tinygltf::Model parseModel(const std::string& text, const std::string& source) {
   tinygltf::TinyGLTF parser;
   parser.SetFsCallbacks({noFile, samePath, noRead, noWrite, nullptr});
   parser.SetImageLoader(noImage, nullptr);
@@ -48,8 +48,8 @@ tinygltf::Model parseModel(const std::string& json, const std::string& source) {
   std::string warning;
   bool good = false;
   try {
-    good = parser.LoadASCIIFromString(&model, &error, &warning, json.data(),
-                                      static_cast<unsigned int>(json.size()), "", tinygltf::NO_REQUIRE);
+    good = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                      static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
   } catch (const std::exception& exception) {
     throw InputError(source, "is not valid glTF: " + firstLine(exception.what()));
   }
@@ -87,16 +87,16 @@ Gltf readFiles(const std::filesystem::path& file, const LoadOptions& options, Bu
   const bool binary = isGlb(readRegularFile(file, budget, kMagicBytes));
   // One byte more than the limit shows that the limit is passed.
   const Bytes bytes = readRegularFile(file, budget, binary ? UINT64_MAX : options.maxJsonBytes + 1);
-  std::string_view json(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::shared_ptr<const Bytes> glbBinary;
   if (binary) {
     const GlbChunks chunks = splitGlb(bytes, gltf.source);
-    json = chunks.json;
+    text = chunks.json;
     if (chunks.binary) {
       glbBinary = std::make_shared<const Bytes>(chunks.binary->begin(), chunks.binary->end());
     }
   }
-  Document document = prepareDocument(json, gltf.source, options, warnings);
+  Document document = prepareDocument(text, gltf.source, options, warnings);
   gltf.model = parseModel(document.model, gltf.source);
   gltf.bufferSources = std::move(document.buffers);
   gltf.images = std::move(document.images);

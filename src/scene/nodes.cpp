@@ -4,11 +4,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "src/scene/values.h"
+
 namespace promenade::scene {
 namespace {
-
-// Beyond this, products of coordinates overflow in single precision.
-constexpr double kLargestCoordinate = 1e15;
 
 bool isSane(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column) {

@@ -34,7 +34,7 @@ std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
 }
 
 /// Big-endian.
-std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t at) {
+std::uint32_t bigEndianWord(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 8 | static_cast<std::uint32_t>(bytes[at + 3]);
 }
@@ -48,13 +48,13 @@ bool hasType(std::span<const std::uint8_t> chunk, const char* type) {
 std::string pngDamage(std::span<const std::uint8_t> bytes) {
   std::size_t at = kSignature;
   while (bytes.size() >= at + kChunkOverhead) {
-    const std::size_t length = word(bytes, at);
+    const std::size_t length = bigEndianWord(bytes, at);
     if (length > bytes.size() - at - kChunkOverhead) {
       break;
     }
     const std::span<const std::uint8_t> chunk = bytes.subspan(at, length + kChunkOverhead);
     const std::string place = "the PNG is damaged: its chunk at byte " + std::to_string(at);
-    if (word(chunk, length + 8) != checksum(chunk.subspan(4, length + 4))) {
+    if (bigEndianWord(chunk, length + 8) != checksum(chunk.subspan(4, length + 4))) {
       return place + " does not match its checksum";
     }
     if ((at == kSignature) != hasType(chunk, "IHDR") || (at == kSignature && length != 13)) {

@@ -10,11 +10,10 @@
 #include "src/scene/frames.h"
 #include "src/scene/geometry.h"
 #include "src/scene/skins.h"
+#include "src/scene/values.h"
 
 namespace promenade::scene {
 namespace {
-
-constexpr float kLargestCoordinate = 1e15f;
 
 template <class Vector>
 bool isFinite(const Vector& vector) {

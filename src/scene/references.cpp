@@ -37,9 +37,9 @@ const std::map<std::string_view, const char*>& targets() {
   return table;
 }
 
-class Checker {
+class ReferenceChecker {
  public:
-  Checker(const json& document, const std::string& source) : document_(document), source_(source) {}
+  ReferenceChecker(const json& document, const std::string& source) : document_(document), source_(source) {}
 
   void object(const json& value, const std::string& path, bool inAnimation) const {
     for (const auto& [key, member] : value.items()) {
@@ -113,7 +113,7 @@ class Checker {
 }  // namespace
 
 void checkReferences(const nlohmann::json& document, const std::string& source) {
-  Checker(document, source).object(document, "", false);
+  ReferenceChecker(document, source).object(document, "", false);
 }
 
 }  // namespace promenade::scene

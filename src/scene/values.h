@@ -11,6 +11,9 @@
 
 namespace promenade::scene {
 
+/// Beyond this, products of coordinates overflow in single precision.
+inline constexpr double kLargestCoordinate = 1e15;
+
 /// JSON numbers are doubles; the scene is in single precision. Throws InputError beyond its range.
 [[nodiscard]] inline float toFloat(const Gltf& gltf, double value, const std::string& place) {
   if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) {

@@ -9,26 +9,26 @@
 namespace promenade::walkthrough {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string transferOf(const DisplayModel& d) {
   switch (d.transfer) {
     case TransferFunction::kSrgb:
       return "srgb";
     case TransferFunction::kGamma:
-      return "gamma" + Json(d.gamma).dump();
+      return "gamma" + OrderedJson(d.gamma).dump();
     case TransferFunction::kLinear:
       return "linear";
   }
   return "";
 }
 
-Json chromaticity(const glm::dvec2& c) {
+OrderedJson chromaticity(const glm::dvec2& c) {
   return {c.x, c.y};
 }
 
 // As a display file has it (docs/formats.md).
-Json displayJson(const DisplayModel& d) {
+OrderedJson displayJson(const DisplayModel& d) {
   return {{"name", d.name},
           {"resolution", {d.resolution.width, d.resolution.height}},
           {"diagonal", d.diagonalMetres},
@@ -46,7 +46,7 @@ Json displayJson(const DisplayModel& d) {
           {"signal", d.signal == Signal::kNative ? "native" : "srgb"}};
 }
 
-Json jobJson(const Report& report) {
+OrderedJson jobJson(const Report& report) {
   const Settings& s = report.settings;
   const JobDescription& job = report.job;
   return {{"scene", job.scene},
@@ -65,10 +65,10 @@ Json jobJson(const Report& report) {
           {"last_frame", s.frames.last},
           {"spacing", s.keyframeSpacing},
           {"filter", s.antialiasing ? "temporal" : "box"},
-          {"filter_radius", s.antialiasing ? Json(s.antialiasing->radius) : Json()},
+          {"filter_radius", s.antialiasing ? OrderedJson(s.antialiasing->radius) : OrderedJson()},
           {"integrator", job.integrator},
           {"light", job.light},
-          {"spp", job.pathsPerSample ? Json(*job.pathsPerSample) : Json()},
+          {"spp", job.pathsPerSample ? OrderedJson(*job.pathsPerSample) : OrderedJson()},
           {"spp_automatic", s.stopping.has_value()},
           {"tone", nameOf(s.tone.curve)},
           {"exposure_ev", s.tone.exposureEv},
@@ -81,13 +81,13 @@ Json jobJson(const Report& report) {
 }
 
 /// Nothing spent where the number of paths was given.
-Json stoppingJson(const Statistics& statistics) {
+OrderedJson stoppingJson(const Statistics& statistics) {
   std::uint64_t paths = 0;
   int openTiles = 0;
   double worst = 0.0;
   double sum = 0.0;
   for (const FrameStatistics& frame : statistics.frames) {
-    if (!frame.stopping) return Json();
+    if (!frame.stopping) return OrderedJson();
     paths += frame.stopping->paths;
     openTiles += frame.stopping->openTiles;
     worst = std::max(worst, frame.stopping->predictedPercent);
@@ -100,7 +100,7 @@ Json stoppingJson(const Statistics& statistics) {
           {"tiles_open", openTiles}};
 }
 
-Json totalsJson(const Report& report) {
+OrderedJson totalsJson(const Report& report) {
   const Statistics& s = report.statistics;
   const OutsideSeconds& o = report.seconds;
   const RayCounts rays = s.rays();
@@ -150,8 +150,8 @@ double estimatedSpeedup(const Report& report) {
 }
 
 std::string reportJson(const Report& report) {
-  Json parts = toJson(report.statistics);
-  Json root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
+  OrderedJson parts = toJson(report.statistics);
+  OrderedJson root = {{"version", report.version}, {"job", jobJson(report)}, {"totals", totalsJson(report)}};
   if (report.light) {
     const LightReport& light = *report.light;
     root["light_solution"] = {
@@ -161,7 +161,7 @@ std::string reportJson(const Report& report) {
   root["segments"] = std::move(parts["segments"]);
   root["frames"] = std::move(parts["frames"]);
   // Names of files may hold anything; what is not UTF-8 is replaced.
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace promenade::walkthrough

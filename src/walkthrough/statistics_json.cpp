@@ -8,18 +8,18 @@
 namespace promenade::walkthrough {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 RayCounts countsFrom(const nlohmann::json& value) {
   return {value.at("visibility"), value.at("primary"), value.at("scattered"), value.at("shadow")};
 }
 
-Json toJson(const RayCounts& rays) {
+OrderedJson toJson(const RayCounts& rays) {
   const auto& [visibility, primary, scattered, shadow] = rays;
   return {{"visibility", visibility}, {"primary", primary}, {"scattered", scattered}, {"shadow", shadow}};
 }
 
-Json toJson(const PartSeconds& seconds) {
+OrderedJson toJson(const PartSeconds& seconds) {
   const auto& [trace, visibility, warp, metric, filter, output] = seconds;
   return {{"trace", trace},   {"visibility", visibility}, {"warp", warp},
           {"metric", metric}, {"filter", filter},         {"output", output}};
@@ -66,7 +66,7 @@ SegmentStatistics segmentFrom(const nlohmann::json& value) {
           .rays = countsFrom(value.at("rays"))};
 }
 
-Json toJson(const SegmentStatistics& statistics) {
+OrderedJson toJson(const SegmentStatistics& statistics) {
   const auto& [segment, decision, differencePercent, maskedPercent, unverifiedPercent, probes,
                probeDifferencePercent, rays] = statistics;
   return {{"first", segment.first},
@@ -84,16 +84,17 @@ Json toJson(const SegmentStatistics& statistics) {
 
 }  // namespace
 
-Json toJson(const FrameStatistics& frame) {
+OrderedJson toJson(const FrameStatistics& frame) {
   const auto& [index, kind, samples, samplesTraced, holes, itemSamples, itemsTraced, warped, layered, reused,
                unknown, stopping, rays, seconds] = frame;
-  Json json = {{"index", index},       {"kind", kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
-               {"samples", samples},   {"samples_traced", samplesTraced},
-               {"holes", holes},       {"items_traced", itemSamples},
-               {"items", itemsTraced}, {"warped", warped},
-               {"reused", reused},     {"layered", layered},
-               {"unknown", unknown},   {"rays", toJson(rays)},
-               {"seconds", seconds}};
+  OrderedJson json = {
+      {"index", index},       {"kind", kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
+      {"samples", samples},   {"samples_traced", samplesTraced},
+      {"holes", holes},       {"items_traced", itemSamples},
+      {"items", itemsTraced}, {"warped", warped},
+      {"reused", reused},     {"layered", layered},
+      {"unknown", unknown},   {"rays", toJson(rays)},
+      {"seconds", seconds}};
   if (stopping) {
     const auto& [paths, mostPaths, predictedPercent, openTiles] = *stopping;
     json.update({{"paths", paths},
@@ -112,11 +113,11 @@ std::optional<FrameStatistics> frameStatisticsFrom(const nlohmann::json& value) 
   }
 }
 
-Json toJson(const Statistics& statistics) {
+OrderedJson toJson(const Statistics& statistics) {
   const auto& [frames, segments, seconds] = statistics;
-  Json segmentList = Json::array();
+  OrderedJson segmentList = OrderedJson::array();
   for (const SegmentStatistics& segment : segments) segmentList.push_back(toJson(segment));
-  Json frameList = Json::array();
+  OrderedJson frameList = OrderedJson::array();
   for (const FrameStatistics& frame : frames) frameList.push_back(toJson(frame));
   return {
       {"segments", std::move(segmentList)}, {"frames", std::move(frameList)}, {"seconds", toJson(seconds)}};
