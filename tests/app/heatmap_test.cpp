@@ -7,12 +7,12 @@
 namespace promenade::app {
 namespace {
 
-struct Frames {
+struct Panels {
   EncodedMap test, reference;
   ProbabilityMap probability;
   JndMap jnd;
   Mask excluded;
-  explicit Frames(Size size)
+  explicit Panels(Size size)
       : test(size, Rgb(0.8f, 0.2f, 0.1f)), reference(size, Rgb(0.5f)), probability(size), jnd(size) {}
   [[nodiscard]] EncodedMap sheet() const {
     return heatmap({test, reference, probability, jnd, excluded}, "Frame 3");
@@ -27,7 +27,7 @@ int pixelsOf(const EncodedMap& image, const Rgb& colour) {
 
 TEST(Heatmap, ShowsBothFramesAndBothMapsOnce) {
   // 600 x 300 is neither enlarged nor reduced.
-  Frames frames(Size{600, 300});
+  Panels frames(Size{600, 300});
   frames.probability(7, 9) = 0.751f;
   frames.jnd(7, 9) = 1.3f;
   const EncodedMap sheet = frames.sheet();
@@ -65,7 +65,7 @@ TEST(Heatmap, ShowsThePictureUnderTheJndMapOnlyWhereNothingIsSeen) {
 }
 
 TEST(Heatmap, HasAColourOfItsOwnForWhatTheMaskLeavesOut) {
-  Frames frames(Size{600, 300});
+  Panels frames(Size{600, 300});
   const Rgb leftOut(0.0f, 0.25f, 0.3f);
   EXPECT_EQ(pixelsOf(frames.sheet(), leftOut), 0);
   frames.excluded = Mask(Size{600, 300});
@@ -75,11 +75,11 @@ TEST(Heatmap, HasAColourOfItsOwnForWhatTheMaskLeavesOut) {
 
 TEST(Heatmap, EnlargesSmallFramesAndReducesLargeOnesByWholeNumbers) {
   // 40 x 30: nine times, as 270 / 30 allows.
-  EXPECT_EQ(pixelsOf(Frames(Size{40, 30}).sheet(), Rgb(0.5f)), 40 * 30 * 81);
-  EXPECT_EQ(pixelsOf(Frames(Size{1, 1}).sheet(), Rgb(0.5f)), 270 * 270);
+  EXPECT_EQ(pixelsOf(Panels(Size{40, 30}).sheet(), Rgb(0.5f)), 40 * 30 * 81);
+  EXPECT_EQ(pixelsOf(Panels(Size{1, 1}).sheet(), Rgb(0.5f)), 270 * 270);
   // 5000 x 3: halved, the last row is a mean of one.
-  EXPECT_EQ(pixelsOf(Frames(Size{5000, 3}).sheet(), Rgb(0.5f)), 2500 * 2);
-  EXPECT_EQ(pixelsOf(Frames(Size{3, 5000}).sheet(), Rgb(0.5f)), 2500 * 2);
+  EXPECT_EQ(pixelsOf(Panels(Size{5000, 3}).sheet(), Rgb(0.5f)), 2500 * 2);
+  EXPECT_EQ(pixelsOf(Panels(Size{3, 5000}).sheet(), Rgb(0.5f)), 2500 * 2);
 }
 
 TEST(Heatmap, GreyPictureHasWhiteWhereItIsTold) {

@@ -143,7 +143,7 @@ TEST(Motion, MeanOfTwoFlowsDoesNotDependOnTheirOrder) {
   EXPECT_FALSE(isStill(PixelFlow()));
 }
 
-SequenceDifference twoFrames() {
+SequenceDifference twoDifferences() {
   SequenceDifference d;
   d.test = "a";
   d.reference = "b";
@@ -165,7 +165,7 @@ SequenceDifference twoFrames() {
 }
 
 TEST(CompareReport, JsonHasExactlyTheStableKeys) {
-  const auto root = nlohmann::json::parse(differenceJson(twoFrames()));
+  const auto root = nlohmann::json::parse(differenceJson(twoDifferences()));
   EXPECT_EQ(root, nlohmann::json::parse(R"({"metric":"aqm","ppd":40.0,"fps":25.0,"frames":[
       {"index":0,"percent_visible":1.0,"jnd_mean":0.5,"jnd_max":3.0,"pooled_jnd_max":2.0,"probability_mean":0.1},
       {"index":1,"percent_visible":4.0,"jnd_mean":1.5,"jnd_max":2.0,"pooled_jnd_max":1.0,"probability_mean":0.2}],
@@ -173,19 +173,19 @@ TEST(CompareReport, JsonHasExactlyTheStableKeys) {
 }
 
 TEST(CompareReport, SummaryIsOneLineWithMeanWorstAndJnd) {
-  EXPECT_EQ(differenceSummary(twoFrames()),
+  EXPECT_EQ(differenceSummary(twoDifferences()),
             "a against b, 2 frames: 2.500% of pixels visibly different (worst frame 1: 4.000%), JND mean "
             "1.0000, max 3.000\n");
 }
 
 TEST(CompareReport, CsvHasALineAFrame) {
-  EXPECT_EQ(differenceCsv(twoFrames()),
+  EXPECT_EQ(differenceCsv(twoDifferences()),
             "index,percent_visible,jnd_mean,jnd_max,pooled_jnd_max,probability_mean\n0,1,0.5,3,2,0.1\n1,4,1."
             "5,2,1,0.2\n");
 }
 
 TEST(CompareReport, EqualImagesHaveAnInfinitePsnrThatJsonWritesAsNull) {
-  SequenceDifference d = twoFrames();
+  SequenceDifference d = twoDifferences();
   d.metric = Metric::kPsnr;
   for (FrameDifference& f : d.frames) f.psnr = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(nlohmann::json::parse(differenceJson(d))["psnr_worst"].is_null());

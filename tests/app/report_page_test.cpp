@@ -33,7 +33,7 @@ std::string between(const std::string& text, const std::string& from, const std:
   return text.substr(begin, text.find(to, begin) - begin);
 }
 
-ReportContents twoFrames() {
+ReportContents twoPictures() {
   ReportContents contents;
   contents.pictureSize = {4, 2};
   contents.frames.push_back({.index = 3,
@@ -52,7 +52,7 @@ ReportContents twoFrames() {
 }
 
 TEST(ReportPage, HoldsTheReportAsItStandsWhateverIsInIt) {
-  const std::string page = reportPage(aJob(), twoFrames());
+  const std::string page = reportPage(aJob(), twoPictures());
   const std::string data = between(page, "id=\"data\">", "</script>");
   EXPECT_THAT(data, HasSubstr("0.10000000000000001"));  // not formatted again
   const auto root = nlohmann::json::parse(data);
@@ -65,7 +65,7 @@ TEST(ReportPage, HoldsTheReportAsItStandsWhateverIsInIt) {
 }
 
 TEST(ReportPage, IsWholeAndAsksForNothing) {
-  const std::string page = reportPage(aJob(), twoFrames());
+  const std::string page = reportPage(aJob(), twoPictures());
   EXPECT_THAT(page, HasSubstr("<title>Walkthrough of a&lt;b&gt;&amp;c.glb</title>"));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
   EXPECT_THAT(page, HasSubstr("Chart.js v"));

@@ -11,7 +11,7 @@
 namespace promenade::aqm {
 namespace {
 
-constexpr int kBands = 5;
+constexpr int kPublishedBands = 5;
 
 // Published values, absolute tolerance 2e-5.
 TEST(BandAmplitude, HasThePublishedValues) {
@@ -23,11 +23,11 @@ TEST(BandAmplitude, HasThePublishedValues) {
                                                        {.63742, 0, 0, 0, 0},
                                                        {.77051, 0, 0, 0, 0}}};
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    for (int band = 1; band <= kBands; ++band) {
+    for (int band = 1; band <= kPublishedBands; ++band) {
       EXPECT_NEAR(bandAmplitude(frequencies[i], band), expected[static_cast<std::size_t>(band - 1)][i], 2e-5)
           << "band " << band << " at " << frequencies[i];
     }
-    EXPECT_NEAR(basebandAmplitude(frequencies[i], kBands), expected[5][i], 2e-5);
+    EXPECT_NEAR(basebandAmplitude(frequencies[i], kPublishedBands), expected[5][i], 2e-5);
   }
 }
 
@@ -104,9 +104,9 @@ TEST(CortexFilters, HaveSquaresThatSumToOneAtEveryFrequency) {
     for (int iy = 0; iy < size.height; ++iy) {
       for (int ix = 0; ix < size.width; ++ix) {
         const double base = basebandAmplitude(
-            std::hypot(signedFrequency(ix, size.width), signedFrequency(iy, size.height)), kBands);
+            std::hypot(signedFrequency(ix, size.width), signedFrequency(iy, size.height)), kPublishedBands);
         double sum = base * base;
-        for (int band = 1; band <= kBands; ++band) {
+        for (int band = 1; band <= kPublishedBands; ++band) {
           for (int l = 0; l < kOrientations; ++l) {
             sum += squaredFilter(ix, iy, size, band, l);
           }
@@ -133,7 +133,7 @@ TEST(CortexFilters, AreHermitianAlsoAtNyquistsFrequency) {
 }
 
 TEST(CortexFilters, PassOnlyTheirOctaves) {
-  for (int band = 1; band <= kBands; ++band) {
+  for (int band = 1; band <= kPublishedBands; ++band) {
     const double unit = std::ldexp(1.0, -band);
     EXPECT_EQ(bandAmplitude(0.66 * unit, band), 0.0);
     EXPECT_GT(bandAmplitude(0.68 * unit, band), 0.0);

@@ -7,17 +7,17 @@
 namespace promenade::aqm {
 namespace {
 
-void expectClose(double found, double expected) {
+void expectPublished(double found, double expected) {
   EXPECT_NEAR(found, expected, 1e-5 * expected);
 }
 
 // Published values of the formula with Daly's constants.
 TEST(Sensitivity, IsDalysFormula) {
-  expectClose(sensitivity(4.0, 0.15), 237.282);
-  expectClose(sensitivity(2.0, 1.29), 232.861);
-  expectClose(sensitivity(1.0, 4.0), 175.769);
-  expectClose(sensitivity(16.0, 0.15), 26.5281);
-  expectClose(sensitivity(0.5, 10.0), 138.604);
+  expectPublished(sensitivity(4.0, 0.15), 237.282);
+  expectPublished(sensitivity(2.0, 1.29), 232.861);
+  expectPublished(sensitivity(1.0, 4.0), 175.769);
+  expectPublished(sensitivity(16.0, 0.15), 26.5281);
+  expectPublished(sensitivity(0.5, 10.0), 138.604);
 }
 
 TEST(Sensitivity, IsZeroForAUniformField) {

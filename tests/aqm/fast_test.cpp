@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <random>
-
 #include "aqm/fast_bank.h"
 #include "aqm/transform_plan.h"
 #include "tests/aqm/fast_against_plain.h"
@@ -15,6 +13,7 @@ namespace {
 
 using tests::BlobScene;
 using tests::frameOf;
+using tests::noise;
 using tests::pi;
 using tests::velocityOf;
 
@@ -25,13 +24,6 @@ void expectClose(const tests::Departure& found, const char* what) {
   // The sums of the coarsest channels are interpolated linearly; smooth stimuli, unlike rendered frames (1 to
   // 3 %), have nothing else that fills their zeros.
   EXPECT_LT(found.sharp, 0.2) << what;
-}
-
-LuminanceMap noise(Size size, unsigned seed, double contrast) {
-  std::mt19937 random(seed);
-  return frameOf(size, [&](int, int) {
-    return 50.0 * (1.0 + contrast * (static_cast<double>(random()) / 4294967295.0 - 0.5));
-  });
 }
 
 TEST(FastExecution, FindsWhatThePlainOneFindsInEveryCoveredSetting) {

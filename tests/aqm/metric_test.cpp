@@ -18,14 +18,9 @@ namespace {
 using tests::BlobScene;
 using tests::frameOf;
 using tests::largest;
+using tests::noise;
+using tests::plainly;
 using tests::velocityOf;
-
-LuminanceMap noise(Size size, unsigned seed, double contrast) {
-  std::mt19937 random(seed);
-  return frameOf(size, [&](int, int) {
-    return 50.0 * (1.0 + contrast * (static_cast<double>(random()) / 4294967295.0 - 0.5));
-  });
-}
 
 VelocityMap randomVelocity(Size size, double fastest) {
   std::mt19937 random(7);
@@ -34,13 +29,6 @@ VelocityMap randomVelocity(Size size, double fastest) {
     const double angle = static_cast<double>(random());
     return glm::dvec2(std::cos(angle), std::sin(angle)) * speed;
   });
-}
-
-/// The yardstick: fast_test.cpp holds the fast execution against it.
-Settings plainly(double ppd) {
-  Settings settings = aqm(ppd);
-  settings.execution = Execution::kPlain;
-  return settings;
 }
 
 struct Case {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "aqm/metric.h"
 
@@ -51,6 +52,21 @@ struct BlobScene {
   });
   VelocityMap velocity = velocityOf(size, [](int x, int) { return glm::dvec2(12.0 * x / 191.0, -4.0); });
 };
+
+/// Grey noise around 50 cd/m2, uniformly distributed over `contrast` times that.
+inline LuminanceMap noise(Size size, unsigned seed, double contrast) {
+  std::mt19937 random(seed);
+  return frameOf(size, [&](int, int) {
+    return 50.0 * (1.0 + contrast * (static_cast<double>(random()) / 4294967295.0 - 0.5));
+  });
+}
+
+/// The yardstick: fast_test.cpp holds the fast execution against it.
+inline Settings plainly(double ppd) {
+  Settings settings = aqm(ppd);
+  settings.execution = Execution::kPlain;
+  return settings;
+}
 
 template <class Map>
 double largest(const Map& map) {

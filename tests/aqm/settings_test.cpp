@@ -32,12 +32,12 @@ constexpr Size kSize{66, 66};
 constexpr double kContrast = 1e-3;
 constexpr int kAnyRow = 31;
 
-double grating(int x) {
+double cosineAt(int x) {
   return std::cos(2.0 * pi * (x + 0.5) / 6.0);
 }
 
 LuminanceMap gratingFrame(double contrast) {
-  return frameOf(kSize, [=](int x, int) { return 50.0 * (1.0 + contrast * grating(x)); });
+  return frameOf(kSize, [=](int x, int) { return 50.0 * (1.0 + contrast * cosineAt(x)); });
 }
 
 LuminanceMap flatFrame() {
@@ -53,7 +53,7 @@ Result faintGrating(Settings settings, const VelocityMap& velocity = {}) {
 /// J = contrast * sensitivity * |grating|: the flat frame masks nothing.
 void expectSensitivity(const Result& result, double expected) {
   for (const int x : {0, 1, 29, 30, 64}) {
-    const double jnd = kContrast * expected * std::abs(grating(x));
+    const double jnd = kContrast * expected * std::abs(cosineAt(x));
     // Amplitude nonlinearity: a second harmonic of about 1e-3 / 3 of the amplitude.
     EXPECT_NEAR(result.jnd(x, kAnyRow), jnd, 1e-3 * kContrast * expected) << "at column " << x;
   }
@@ -152,8 +152,8 @@ TEST(Settings, VdpGivesDalysSensitivityAndTheSignOfTheChange) {
   expectSensitivity(result, dalySensitivity(4.0, 0.0, {50.0, area, 0.7}));
   ASSERT_EQ(result.signedProbability.size(), kSize);
   for (int x = 0; x < kSize.width; ++x) {
-    const float expected = std::copysign(result.probability(x, kAnyRow), static_cast<float>(grating(x)));
-    if (std::abs(grating(x)) > 0.1) {
+    const float expected = std::copysign(result.probability(x, kAnyRow), static_cast<float>(cosineAt(x)));
+    if (std::abs(cosineAt(x)) > 0.1) {
       ASSERT_EQ(result.signedProbability(x, kAnyRow), expected) << x;
     }
   }
@@ -166,10 +166,10 @@ TEST(Settings, VdpGivesDalysSensitivityAndTheSignOfTheChange) {
 TEST(Settings, VdpElevatesTheThresholdByTheReference) {
   const Result result = compare(gratingFrame(0.021), gratingFrame(0.020), {}, vdp(kPpd, 0.5));
   const double s = dalySensitivity(4.0, 0.0, {50.0, 66.0 * 66.0 / 576.0, 0.5});
-  const double mask = 0.020 * s * std::abs(grating(30));
+  const double mask = 0.020 * s * std::abs(cosineAt(30));
   const double peak = std::pow(1.0 + std::pow(0.0153 * 392.5 * mask, 4.0), 0.25);
   const double elevation = (2.0 * peak + 1.0) / 3.0;
-  const double expected = 0.001 * s * std::abs(grating(30)) / elevation;
+  const double expected = 0.001 * s * std::abs(cosineAt(30)) / elevation;
   EXPECT_GT(elevation, 8.0);
   EXPECT_NEAR(result.jnd(30, kAnyRow), expected, 0.02 * expected);
 }

@@ -9,7 +9,7 @@
 namespace promenade::aqm {
 namespace {
 
-ContrastMap noise(Size size) {
+ContrastMap randomContrast(Size size) {
   std::mt19937 random(5);
   ContrastMap map(size);
   for (float& value : map.pixels()) {
@@ -21,7 +21,7 @@ ContrastMap noise(Size size) {
 TEST(Spectrum, IsTheFourierSumOfTheReflectedImage) {
   for (const Size size : {Size{1, 1}, Size{1, 5}, Size{6, 1}, Size{7, 5}, Size{8, 12}}) {
     const Layout layout = layoutOf(size, 6.0);
-    const ContrastMap map = noise(size);
+    const ContrastMap map = randomContrast(size);
     const FourierPlans plans(layout.padded);
     const Spectrum spectrum = spectrumOf(map, layout, plans);
     for (int ix = 0; ix < layout.spectrumColumns(); ++ix) {

@@ -7,11 +7,11 @@
 namespace promenade {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kBackgroundDepth = std::numeric_limits<float>::infinity();
 
 Visibility emptyVisibility(const Camera& camera) {
   const Size size = camera.size();
-  return {camera, DepthMap(size, kInfinity), NormalMap(size), ItemBuffer(size)};
+  return {camera, DepthMap(size, kBackgroundDepth), NormalMap(size), ItemBuffer(size)};
 }
 
 TEST(ResolveRadiance, IsTheMeanOfThePixelsSamples) {
@@ -63,7 +63,7 @@ TEST(ResolveVisibility, TakesTheNearestOfTheFourAroundTheCentreOfAnEvenFactorAnd
 
 TEST(ResolveVisibility, KeepsTheBackgroundAtInfinity) {
   const Visibility pixels = resolveVisibility(emptyVisibility(Camera(Pose{}, 1.0, Size{2, 2})), 2);
-  EXPECT_EQ(pixels.depth(0, 0), kInfinity);
+  EXPECT_EQ(pixels.depth(0, 0), kBackgroundDepth);
   EXPECT_EQ(pixels.item(0, 0), kNoItem);
 }
 

@@ -15,11 +15,6 @@
 namespace promenade::e2e {
 namespace {
 
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::filesystem::path temporary(const char* kind) {
   static std::atomic<int> count{0};
   return std::filesystem::temp_directory_path() /
@@ -27,6 +22,11 @@ std::filesystem::path temporary(const char* kind) {
 }
 
 }  // namespace
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
 
 std::string Outcome::error() const {
   std::istringstream lines(err);

@@ -11,6 +11,8 @@
 
 namespace promenade::e2e {
 
+[[nodiscard]] std::string contents(const std::filesystem::path& file);
+
 struct Outcome {
   int status = -1;        ///< exit status; -1 if a signal ended the program
   int signal = 0;         ///< that signal

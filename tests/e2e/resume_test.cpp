@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 using Seconds = std::chrono::duration<double>;
 
-Arguments render(const std::string& scene, const std::string& out, const Arguments& more) {
+// Lasts long enough to be stopped midway; `more` is appended.
+Arguments stoppable(const std::string& scene, const std::string& out, const Arguments& more) {
   Arguments all = {"render",        scene, "--out", out, "--size",     "48x27",
                    "--supersample", "1",   "--spp", "2", "--exposure", "0"};
   all.insert(all.end(), more.begin(), more.end());
@@ -40,14 +41,14 @@ TEST_F(Resume, AfterThirtyKillsAtRandomMomentsEndsLikeOneRun) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     const std::string whole = at("whole" + std::to_string(k));
     const auto start = std::chrono::steady_clock::now();
-    expectDone(run(render(scene, whole, jobs[k])));
+    expectDone(run(stoppable(scene, whole, jobs[k])));
     const Seconds duration = std::chrono::steady_clock::now() - start;
     // Moments from before the first frame to after the last; the job is begun anew when it got to its end.
     std::uniform_real_distribution<double> moment(0.0, 0.9 * duration.count());
     const std::string out = at("out" + std::to_string(k));
     const int wanted = kills + (k + 1 < jobs.size() ? 8 : 30 - kills);
     for (int attempts = 0; kills < wanted && attempts < 100; ++attempts) {
-      Process process(render(scene, out, jobs[k]));
+      Process process(stoppable(scene, out, jobs[k]));
       std::this_thread::sleep_for(Seconds(moment(random)));
       process.send(SIGKILL);
       const Outcome outcome = process.wait();
@@ -59,7 +60,7 @@ TEST_F(Resume, AfterThirtyKillsAtRandomMomentsEndsLikeOneRun) {
       expectSameResult(out, whole);
       fs::remove_all(out);
     }
-    expectDone(run(render(scene, out, jobs[k])));
+    expectDone(run(stoppable(scene, out, jobs[k])));
     expectSameResult(out, whole);
     if (HasFailure()) return;
   }
@@ -71,20 +72,20 @@ TEST_F(Resume, AfterAFullDiskGoesOnWhenThereIsRoom) {
   const SmallDisk disk(at("disk"), "128k");
   if (!disk) GTEST_SKIP() << "SKIPPED: a small file system cannot be mounted here";
   const Arguments job = {"--spacing", "4", "--size", "128x72"};
-  expectDone(run(render(scene, at("whole"), job)));
-  EXPECT_EQ(run(render(scene, at("disk/out"), job)).status, 3);
+  expectDone(run(stoppable(scene, at("whole"), job)));
+  EXPECT_EQ(run(stoppable(scene, at("disk/out"), job)).status, 3);
   EXPECT_GT(framesIn(at("disk/out")), 0);
   ASSERT_LT(framesIn(at("disk/out")), 25);
   ASSERT_TRUE(disk.resize("64m"));
-  expectDone(run(render(scene, at("disk/out"), job)));
+  expectDone(run(stoppable(scene, at("disk/out"), job)));
   expectSameResult(at("disk/out"), at("whole"));
 }
 
 TEST_F(Resume, MakesAgainWhatIsMissingOrDamagedAndNothingElse) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const Arguments job = {"--spacing", "8"};  // parts 0-8, 8-16, 16-24
-  expectDone(run(render(scene, at("whole"), job)));
-  expectDone(run(render(scene, at("out"), job)));
+  expectDone(run(stoppable(scene, at("whole"), job)));
+  expectDone(run(stoppable(scene, at("out"), job)));
   const auto frameTime = [&](const char* frame) {
     return fs::last_write_time(at("out/frames") + "/" + frame);
   };
@@ -93,10 +94,10 @@ TEST_F(Resume, MakesAgainWhatIsMissingOrDamagedAndNothingElse) {
   fs::remove(at("out/frames/000010.exr"));
   fs::remove(at("out/report.json"));
   fs::remove(at("out/light-solution.bin"));
-  expectDone(run(render(scene, at("out"), job)));
+  expectDone(run(stoppable(scene, at("out"), job)));
   expectSameResult(at("out"), at("whole"));
   writeText(at("out/parts/000008.json"), contents(at("out/parts/000008.json")).substr(0, 100));
-  expectDone(run(render(scene, at("out"), job)));
+  expectDone(run(stoppable(scene, at("out"), job)));
   expectSameResult(at("out"), at("whole"));
   EXPECT_EQ(frameTime("000001.exr"), firstBefore);
   EXPECT_EQ(frameTime("000020.exr"), lastBefore);
@@ -106,19 +107,19 @@ TEST_F(Resume, WithAnotherLightIsRefused) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const Arguments job = {"--integrator", "walkthrough",      "--frames",
                          "0-4",          "--light-solution", at("light.bin")};
-  expectDone(run(render(scene, at("out"), job)));
+  expectDone(run(stoppable(scene, at("out"), job)));
   fs::remove(at("out/frames/000002.exr"));
   std::ofstream(at("light.bin"), std::ios::app) << "more";
-  expectRefused(run(render(scene, at("out"), job)), "is not the light that this job began with");
+  expectRefused(run(stoppable(scene, at("out"), job)), "is not the light that this job began with");
 }
 
 TEST_F(Resume, KnowsAnotherJobByEverythingThatDecidesItsPixels) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
-  expectDone(run(render(scene, at("out"), {"--frames", "0-2"})));
+  expectDone(run(stoppable(scene, at("out"), {"--frames", "0-2"})));
   const auto refused = [&](const Arguments& more) {
     Arguments job = {"--frames", "0-2"};
     job.insert(job.end(), more.begin(), more.end());
-    expectRefused(run(render(scene, at("out"), job)), "holds frames of another job");
+    expectRefused(run(stoppable(scene, at("out"), job)), "holds frames of another job");
   };
   refused({"--seed", "1"});
   refused({"--sky"});
@@ -136,9 +137,9 @@ TEST_F(Resume, KnowsAnotherJobByEverythingThatDecidesItsPixels) {
 
 TEST_F(Resume, DoesNotAskForTheSameWhereThePixelsAre) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
-  expectDone(run(render(scene, at("out"), {"--frames", "0-2"})));
+  expectDone(run(stoppable(scene, at("out"), {"--frames", "0-2"})));
   const Outcome again =
-      run(render(scene, at("out"), {"--frames", "0-2", "--threads", "1", "--tone", "neutral", "--quiet"}));
+      run(stoppable(scene, at("out"), {"--frames", "0-2", "--threads", "1", "--tone", "neutral", "--quiet"}));
   EXPECT_THAT(again.out, testing::HasSubstr("all frames of this job are there"));
 }
 

@@ -54,11 +54,6 @@ Json withoutSeconds(const fs::path& report) {
 
 }  // namespace
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 void waitForFrames(const fs::path& folder) {
   for (int i = 0; i < 4000 && framesIn(folder) < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -18,7 +18,6 @@ enum class With { kAll, kNoCamera, kNoAnimation, kNoLight, kNoMesh };
 std::filesystem::path writeScene(const std::filesystem::path& folder, const std::string& name, With with,
                                  float seconds = 1.0f);
 
-std::string contents(const std::filesystem::path& file);
 void writeText(const std::filesystem::path& file, const std::string& text);
 
 /// A folder that is empty at the start of each test and gone after it.

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "src/core/tone_mapping.h"
@@ -14,11 +12,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 using testing::HasSubstr;
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 class Tone : public InFolder {
  protected:

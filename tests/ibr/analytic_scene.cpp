@@ -163,6 +163,15 @@ Camera turnedCamera(const glm::dvec3& eye, double yaw, double pitch, double roll
   return Camera({aboutY * aboutX * aboutZ, eye}, fieldOfView, size);
 }
 
+double rmse(const RadianceMap& a, const RadianceMap& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    const glm::dvec3 d(a.pixels()[i] - b.pixels()[i]);
+    sum += glm::dot(d, d) / 3.0;
+  }
+  return std::sqrt(sum / static_cast<double>(a.pixels().size()));
+}
+
 double psnr(const RadianceMap& a, const RadianceMap& b, const Mask& counts) {
   double sum = 0.0;
   double n = 0.0;

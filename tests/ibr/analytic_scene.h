@@ -68,6 +68,8 @@ class AnalyticScene {
 [[nodiscard]] Camera turnedCamera(const glm::dvec3& eye, double yaw, double pitch, double roll, Size size,
                                   double focalPixels);
 
+/// Root of the mean square of the difference, over all channels.
+[[nodiscard]] double rmse(const RadianceMap& a, const RadianceMap& b);
 /// Peak signal-to-noise ratio of diffuse radiance with peak 1, over samples where `counts` is nonzero (empty:
 /// all).
 [[nodiscard]] double psnr(const RadianceMap& a, const RadianceMap& b, const Mask& counts);

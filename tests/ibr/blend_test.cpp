@@ -15,8 +15,6 @@
 namespace promenade::ibr::tests {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 Visibility copy(const Visibility& v) {
   return {v.camera, v.depth.clone(), v.normal.clone(), v.item.clone()};
 }
@@ -137,9 +135,9 @@ TEST(Blend, TakesTheNearerSurfaceWhereTheDepthsDisagree) {
   EXPECT_FLOAT_EQ(radiance(4.0f, 4.1f), 0.5f);
   EXPECT_EQ(radiance(4.0f, 4.3f), 0.0f);
   EXPECT_EQ(radiance(4.3f, 4.0f), 1.0f);
-  EXPECT_EQ(radiance(kInfinity, 4.0f), 1.0f);
-  EXPECT_EQ(radiance(4.0f, kInfinity), 0.0f);
-  EXPECT_FLOAT_EQ(radiance(kInfinity, kInfinity), 0.5f);
+  EXPECT_EQ(radiance(kInfinitelyFar, 4.0f), 1.0f);
+  EXPECT_EQ(radiance(4.0f, kInfinitelyFar), 0.0f);
+  EXPECT_FLOAT_EQ(radiance(kInfinitelyFar, kInfinitelyFar), 0.5f);
   // Except at the ends, where the blend is the keyframe.
   const Blended first =
       blend(constant(size, 0.0f, 4.3f, 1.0f), constant(size, 1.0f, 4.0f, 1.0f), wall(size, 4.0f), 0.0);

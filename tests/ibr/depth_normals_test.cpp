@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
-#include <limits>
+
+#include "tests/ibr/maps.h"
 
 namespace promenade::ibr {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using tests::kInfinitelyFar;
 
 // Depth of the plane through `point` with this normal, world axes.
 DepthMap planeDepth(const Camera& camera, const glm::dvec3& point, const glm::dvec3& normal) {
@@ -17,7 +18,7 @@ DepthMap planeDepth(const Camera& camera, const glm::dvec3& point, const glm::dv
     for (int x = 0; x < depth.width(); ++x) {
       const glm::dvec3 ray = camera.direction({x + 0.5, y + 0.5});
       const double z = glm::dot(point - camera.pose().eye, normal) / glm::dot(ray, normal);
-      depth(x, y) = z > 0.0 ? static_cast<float>(z) : kInfinity;
+      depth(x, y) = z > 0.0 ? static_cast<float>(z) : kInfinitelyFar;
     }
   }
   return depth;
@@ -45,7 +46,7 @@ TEST(DepthNormals, AreNotTakenAcrossADepthEdge) {
 
 TEST(DepthNormals, FaceTheEyeWhereNothingElseIsKnown) {
   const Camera camera(Pose{}, 1.0, Size{3, 3});
-  DepthMap depth(camera.size(), kInfinity);
+  DepthMap depth(camera.size(), kInfinitelyFar);
   depth(1, 1) = 2.0f;
   const NormalMap normals = normalsOf(depth, camera);
   EXPECT_FLOAT_EQ(normals(1, 1).z, 1.0f);

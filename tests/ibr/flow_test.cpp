@@ -8,16 +8,16 @@
 
 #include "src/core/errors.h"
 #include "tests/ibr/analytic_scene.h"
+#include "tests/ibr/maps.h"
 
 namespace promenade::ibr::tests {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 Visibility atDepth(const Camera& camera, float depth) {
   const Size size = camera.size();
-  const bool background = depth == kInfinity;
+  const bool background = depth == kInfinitelyFar;
   return {camera, DepthMap(size, depth), NormalMap(size, background ? glm::vec3(0.0f) : glm::vec3(0, 0, 1)),
           ItemBuffer(size, background ? kNoItem : 1U)};
 }
@@ -30,7 +30,7 @@ TEST(PixelFlow, IsExactlyZeroForAStillCamera) {
   for (const Size size : {Size{1, 1}, Size{7, 5}, Size{64, 48}}) {
     const Camera camera =
         turnedCamera({31.7, -2.2, 901.3}, 0.7, -0.3, 0.1, size, 53.3).withSubpixelOffset({0.3, -0.2});
-    for (const float depth : {0.01f, 3.7f, 1e6f, kInfinity}) {
+    for (const float depth : {0.01f, 3.7f, 1e6f, kInfinitelyFar}) {
       const PixelFlow flow = pixelFlow(atDepth(camera, depth), camera);
       for (const glm::vec2 f : flow.pixels()) EXPECT_EQ(f, glm::vec2(0.0f));
     }
@@ -69,7 +69,7 @@ TEST(PixelFlow, OfAPureRotationDoesNotDependOnDepth) {
   const glm::dvec3 eye(3.0, 1.0, -2.0);
   const Camera from = turnedCamera(eye, 0.2, 0.1, 0.0, size, 30.0);
   const Camera to = turnedCamera(eye, 0.35, -0.05, 0.2, size, 30.0);
-  const PixelFlow infinitelyFar = pixelFlow(atDepth(from, kInfinity), to);
+  const PixelFlow infinitelyFar = pixelFlow(atDepth(from, kInfinitelyFar), to);
   for (const float depth : {0.1f, 1.0f, 77.0f}) {
     const PixelFlow flow = pixelFlow(atDepth(from, depth), to);
     for (std::size_t i = 0; i < flow.pixels().size(); ++i)
@@ -98,11 +98,11 @@ TEST(PixelFlow, OfARollGrowsWithTheRadius) {
 TEST(PixelFlow, OfTheBackgroundIsThatOfAPointAtInfinity) {
   const Size size{15, 11};
   const Camera from = cameraAt({0, 0, 0}, size, 20.0);
-  const PixelFlow moved = pixelFlow(atDepth(from, kInfinity), cameraAt({5.0, -3.0, 2.0}, size, 20.0));
+  const PixelFlow moved = pixelFlow(atDepth(from, kInfinitelyFar), cameraAt({5.0, -3.0, 2.0}, size, 20.0));
   for (const glm::vec2 f : moved.pixels()) EXPECT_EQ(f, glm::vec2(0.0f));
 
   const Camera to = turnedCamera({5.0, -3.0, 2.0}, 0.3, 0.2, 0.1, size, 20.0);
-  const PixelFlow turned = pixelFlow(atDepth(from, kInfinity), to);
+  const PixelFlow turned = pixelFlow(atDepth(from, kInfinitelyFar), to);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       const glm::dvec2 pixel(x + 0.5, y + 0.5);
@@ -145,7 +145,7 @@ TEST(PixelFlow, IsNotANumberBehindTheEyeAndSaysNothingElse) {
   const PixelFlow beside = pixelFlow(atDepth(from, 2.0f), cameraAt({0, 0, -2.0}, size, 10.0));
   for (const glm::vec2 f : beside.pixels()) EXPECT_TRUE(std::isnan(f.x) && std::isnan(f.y));
   const PixelFlow turnedRound =
-      pixelFlow(atDepth(from, kInfinity), turnedCamera({0, 0, 0}, 3.14159265358979, 0, 0, size, 10.0));
+      pixelFlow(atDepth(from, kInfinitelyFar), turnedCamera({0, 0, 0}, 3.14159265358979, 0, 0, size, 10.0));
   for (const glm::vec2 f : turnedRound.pixels()) EXPECT_TRUE(std::isnan(f.x));
 }
 

@@ -14,8 +14,6 @@
 namespace promenade::ibr::tests {
 namespace {
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
 /// A wall, a floor, a ball, a box and a column: every item has its own uniform radiance, a tenth of its
 /// number.
 AnalyticScene colours() {

@@ -2,16 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "ibr/warp.h"
 #include "tests/ibr/analytic_scene.h"
 #include "tests/ibr/maps.h"
 
 namespace promenade::ibr::tests {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(GatherWarp, LeavesExactlyTheDisocclusionBehindAColumnAsAHole) {
   // Column |x| < 0.5 at 4 m, wall at 8 m, focal length 64 pixels. From x = 0 the wall is hidden for |x| < 1;
@@ -159,7 +155,7 @@ TEST(GatherWarp, MakesAStretchedSurfaceAHoleWithoutCracks) {
             size.width * size.height);
   EXPECT_GT(count(warped.validity, Validity::kUndersampled), 300);
   // With no limit the same samples are all valid: nothing tears.
-  const Warped unlimited = gatherWarp(source, target, {kInfinity});
+  const Warped unlimited = gatherWarp(source, target, {kUnlimited});
   EXPECT_EQ(count(unlimited.validity, Validity::kValid), count(warped.validity, Validity::kUndersampled));
 }
 

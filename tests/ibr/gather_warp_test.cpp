@@ -14,8 +14,6 @@
 namespace promenade::ibr::tests {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// A wall 4 m ahead, a floor, a ball, a box, a coplanar poster, and background to the sides.
 AnalyticScene room() {
   AnalyticScene scene;
@@ -132,7 +130,7 @@ TEST(GatherWarp, MeasuresTheFootprintAsAnAreaOnTheSurface) {
   // Against areas measured by the corners of one sample, for cameras that differ in everything.
   const Camera to = turnedCamera({0.8, 0.3, -0.5}, 0.3, 0.1, 0.2, size, 26.0);
   const Visibility target = scene.visibility(to);
-  const Warped warped = gatherWarp(source, target, {kInfinity});
+  const Warped warped = gatherWarp(source, target, {kUnlimited});
   const auto areaOnWall = [](const Camera& camera, glm::dvec2 at) {
     const auto onWall = [&](glm::dvec2 pixel) {
       const glm::dvec3 d = camera.direction(pixel);

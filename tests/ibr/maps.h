@@ -1,12 +1,18 @@
 #pragma once
-// Comparing and counting maps.
+// Making, comparing and counting maps.
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "ibr/warp.h"
 
 namespace promenade::ibr::tests {
+
+/// Depth where there is no surface.
+inline constexpr float kInfinitelyFar = std::numeric_limits<float>::infinity();
+/// A footprint that nothing exceeds.
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 template <class A, class B>
 bool sameBits(const A& a, const B& b) {

@@ -45,15 +45,6 @@ RadianceMap filtered(const AnalyticScene& scene, double step) {
   return temporalFilter(frames[2], 2, others, wide(), {});
 }
 
-double rmse(const RadianceMap& a, const RadianceMap& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const glm::dvec3 d(a.pixels()[i] - b.pixels()[i]);
-    sum += glm::dot(d, d) / 3.0;
-  }
-  return std::sqrt(sum / static_cast<double>(a.pixels().size()));
-}
-
 /// A wall with a smooth pattern and, before it, bars 0.16 pixels wide (a third of a sample) that lean by one
 /// in eight.
 AnalyticScene barsBeforeAWall() {

@@ -14,23 +14,23 @@
 namespace promenade::ibr::tests {
 namespace {
 
-constexpr Size kSize{24, 16};
+constexpr Size kSampledSize{24, 16};
 
 /// A wall with a box in front of its right half; every second sample along x and y is known, and the
 /// reflection is as given there. What is not known is 100, so that nobody looks at it unnoticed.
 struct Sampled {
   Frame frame;
-  Mask known{kSize};
-  Mask wanted{kSize, 1};
+  Mask known{kSampledSize};
+  Mask wanted{kSampledSize, 1};
 };
 
 Sampled sampled(const std::function<float(int, int)>& reflection) {
   AnalyticScene scene;
   scene.add(1, rectangle({-9, -9, -4}, {18, 0, 0}, {0, 18, 0}), uniform(Rgb(0.5f)))
       .add(2, rectangle({0, -9, -3}, {9, 0, 0}, {0, 18, 0}), uniform(Rgb(0.5f)));
-  Sampled s{scene.render(cameraAt({0, 0, 0}, kSize, 20.0))};
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  Sampled s{scene.render(cameraAt({0, 0, 0}, kSampledSize, 20.0))};
+  for (int y = 0; y < kSampledSize.height; ++y) {
+    for (int x = 0; x < kSampledSize.width; ++x) {
       const bool isKnown = x % 2 == 0 && y % 2 == 0;
       s.known(x, y) = isKnown ? 1 : 0;
       s.frame.viewDependent(x, y) = Rgb(isKnown ? reflection(x, y) : 100.0f);
@@ -90,8 +90,8 @@ TEST(ViewLayer, DoesNotTakeNoiseForStructure) {
   int found = 0, foundAsStructure = 0, wanted = 0;
   double squares = 0.0;
   const ViewLayer unaware = interpolated(s);
-  for (int y = 2; y < kSize.height - 2; ++y) {
-    for (int x = 2; x < kSize.width - 2; ++x) {
+  for (int y = 2; y < kSampledSize.height - 2; ++y) {
+    for (int x = 2; x < kSampledSize.width - 2; ++x) {
       if (s.known(x, y) != 0) continue;
       ++wanted;
       foundAsStructure += unaware.found(x, y);
@@ -125,7 +125,7 @@ TEST(ViewLayer, AsksForTheNoiseOfTheItemThatIsSeen) {
 
 TEST(ViewLayer, IsNotFoundFromFewerThanThreeSamples) {
   Sampled s = sampled([](int, int) { return 0.3f; });
-  s.known = Mask(kSize);
+  s.known = Mask(kSampledSize);
   s.known(2, 2) = s.known(4, 4) = 1;
   s.frame.viewDependent(2, 2) = s.frame.viewDependent(4, 4) = Rgb(0.3f);
   EXPECT_EQ(interpolated(s).found(3, 3), 0);
@@ -136,7 +136,7 @@ TEST(ViewLayer, IsNotFoundFromFewerThanThreeSamples) {
 
 TEST(ViewLayer, AnswersOnlyWhatIsWanted) {
   Sampled s = sampled([](int, int) { return 0.3f; });
-  s.wanted = Mask(kSize);
+  s.wanted = Mask(kSampledSize);
   s.wanted(5, 5) = 1;
   const ViewLayer layer = interpolated(s);
   int found = 0;

@@ -29,7 +29,7 @@ using tests::messageOf;
 using tests::noiseFrame;
 using tests::TempFolder;
 
-constexpr Size kSize{160, 120};  // 57600 noise bytes a frame: no codec gets several of them into 64 KB
+constexpr Size kNoiseSize{160, 120};  // 57600 noise bytes a frame: no codec gets several of them into 64 KB
 
 class FileSizeLimit {
  public:
@@ -74,16 +74,16 @@ class SmallFileSystem {
 
 void writeNoisyFrame(const fs::path& folder) {
   FrameFile frame;
-  frame.metadata.camera = Camera(Pose{}, 1.0, kSize);
-  frame.radiance = RadianceMap(kSize);
-  const EncodedMap noise = noiseFrame(kSize, 0);
-  for (std::size_t i = 0; i < kSize.area(); ++i) frame.radiance.pixels()[i] = noise.pixels()[i] * 3.3f;
+  frame.metadata.camera = Camera(Pose{}, 1.0, kNoiseSize);
+  frame.radiance = RadianceMap(kNoiseSize);
+  const EncodedMap noise = noiseFrame(kNoiseSize, 0);
+  for (std::size_t i = 0; i < kNoiseSize.area(); ++i) frame.radiance.pixels()[i] = noise.pixels()[i] * 3.3f;
   writeFrame(folder / "000000.exr", frame);
 }
 
 void writeVideo(const fs::path& file) {
-  VideoWriter video(file, kSize, {25, 1});
-  for (int i = 0; i < 40; ++i) video.write(noiseFrame(kSize, i));
+  VideoWriter video(file, kNoiseSize, {25, 1});
+  for (int i = 0; i < 40; ++i) video.write(noiseFrame(kNoiseSize, i));
   video.finish();
 }
 

@@ -18,12 +18,12 @@ using tests::noiseFrame;
 using tests::TempFolder;
 using tests::writeBytes;
 
-constexpr Size kSize{64, 48};
+constexpr Size kVideoSize{64, 48};
 
 std::string videoBytes(const std::string& name) {
   const TempFolder folder;
-  VideoWriter writer(folder / name, kSize, {25, 1});
-  for (int i = 0; i < 20; ++i) writer.write(noiseFrame(kSize, i));
+  VideoWriter writer(folder / name, kVideoSize, {25, 1});
+  for (int i = 0; i < 20; ++i) writer.write(noiseFrame(kVideoSize, i));
   writer.finish();
   return bytesOf(folder / name);
 }

@@ -7,10 +7,14 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
+#include <string>
 
 #include "src/core/errors.h"
 
 namespace promenade::paths {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline void expectNear(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance = 1e-9) {
   EXPECT_LE(glm::distance(actual, expected), tolerance)

@@ -1,14 +1,11 @@
 #include "paths/read_path.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/paths/near.h"
 
 namespace promenade::paths {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 CameraPath read(const std::string& text) {
   return parsePath(text, "walk", {});

@@ -10,8 +10,6 @@
 namespace promenade::paths {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 glm::dquat aboutY(double degrees) {
   return glm::angleAxis(degrees * kDegree, glm::dvec3(0, 1, 0));
 }

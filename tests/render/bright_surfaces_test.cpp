@@ -14,7 +14,7 @@
 namespace promenade::render {
 namespace {
 
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+using tests::kUp;
 const glm::vec3 kAbove(0.0f, 1.0f, 0.0f);
 
 /// A patch of 0.2 m by 0.2 m that shines upward from the origin, and a dark floor of 2 m by 2 m beside it.

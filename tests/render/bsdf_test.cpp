@@ -5,17 +5,17 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "src/render/sampler.h"
+#include "tests/render/scenes.h"
 
 namespace promenade::render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using tests::kPi;
 
 glm::vec3 directionOf(double cosine, double azimuth = 0.3) {
   const double sine = std::sqrt(1.0 - cosine * cosine);

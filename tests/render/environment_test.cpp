@@ -7,16 +7,16 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "src/core/display.h"
 #include "src/render/sampler.h"
+#include "tests/render/scenes.h"
 
 namespace promenade::render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using tests::kPi;
 
 Environment environmentOf(Size size, const std::function<Rgb(int, int)>& texel, double rotation = 0.0) {
   Environment environment;

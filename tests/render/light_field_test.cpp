@@ -20,7 +20,7 @@
 namespace promenade::render {
 namespace {
 
-constexpr float kPi = glm::pi<float>();
+using tests::kUp;
 
 /// Evenly over the hemisphere, on a Fibonacci spiral.
 template <class Visit>
@@ -152,7 +152,7 @@ TEST(FieldSums, ALightGivesWhatItGaveAndFromWhereItWas) {
     glm::vec3 from(0.0f);
     for (std::size_t i = 0; i < LightField::kCells; ++i) {
       const glm::vec3& cell = LightField::directions()[i];
-      share += field.at(i).r * cell.z * LightField::solidAngles()[i] / kPi;
+      share += field.at(i).r * cell.z * LightField::solidAngles()[i] / static_cast<float>(tests::kPi);
       from += field.at(i).r * LightField::solidAngles()[i] * cell;
     }
     // A cell's middle has another cosine than the light, the more so near the horizon.
@@ -160,8 +160,6 @@ TEST(FieldSums, ALightGivesWhatItGaveAndFromWhereItWas) {
     EXPECT_GT(glm::dot(glm::normalize(from), d), std::cos(0.13f)) << d.z;
   });
 }
-
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 
 /// Bright toward +x, in units of the record's luminance.
 LightField halfLit(const glm::vec3& normal) {

@@ -14,7 +14,7 @@
 namespace promenade::render {
 namespace {
 
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+using tests::kUp;
 
 SurfaceLight lightOf(float value) {
   return {Rgb(value), (2.0f / 3.0f) * kUp};

@@ -15,6 +15,7 @@
 namespace promenade::tests {
 
 inline constexpr double kPi = glm::pi<double>();
+inline const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 
 inline Material diffuseMaterial(const Rgb& albedo) {
   Material m;

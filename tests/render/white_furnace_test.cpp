@@ -15,14 +15,14 @@
 namespace promenade::render {
 namespace {
 
-struct Estimate {
+struct Albedo {
   double mean = 0.0;
   double standardError = 0.0;
 };
 
 /// Radiance towards wo under a sky of 1, in the brightest channel. The standard error is that of the mean of
 /// independently scrambled point sets, which is what their stratification leaves.
-Estimate furnace(const BsdfParameters& parameters, double cosine) {
+Albedo furnace(const BsdfParameters& parameters, double cosine) {
   constexpr std::uint32_t kSets = 16;
   constexpr std::uint32_t kPoints = 1024;
   const glm::vec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
@@ -37,7 +37,7 @@ Estimate furnace(const BsdfParameters& parameters, double cosine) {
     }
     means[set] = static_cast<double>(std::max({sum.r, sum.g, sum.b})) / kPoints;
   }
-  Estimate result;
+  Albedo result;
   for (const double m : means) result.mean += m / kSets;
   double squares = 0.0;
   for (const double m : means) squares += (m - result.mean) * (m - result.mean);
@@ -45,7 +45,7 @@ Estimate furnace(const BsdfParameters& parameters, double cosine) {
   return result;
 }
 
-void describe(std::ostream& out, const BsdfParameters& p, double cosine, const Estimate& e) {
+void describe(std::ostream& out, const BsdfParameters& p, double cosine, const Albedo& e) {
   out << "roughness " << p.roughness << ", metallic " << p.metallic << ", transmission " << p.transmission
       << (p.thinWalled       ? " (thin)"
           : p.insideMaterial ? " (inside)"
@@ -69,7 +69,7 @@ TEST(WhiteFurnace, ReturnsAllLightFromEveryWhiteMaterialAtEveryRoughness) {
             p.transmission = transmission;
             p.clearcoat = coatRoughness >= 0.0f ? 1.0f : 0.0f;
             p.clearcoatRoughness = std::max(coatRoughness, 0.0f);
-            const Estimate e = furnace(p, cosine);
+            const Albedo e = furnace(p, cosine);
             // 3.5 standard errors: one of two thousand estimates is allowed to be further off.
             const bool near = e.mean > 0.98 - 3.5 * e.standardError;
             const bool notAbove = e.mean < 1.001 + 3.5 * e.standardError;
@@ -96,7 +96,7 @@ TEST(WhiteFurnace, ReturnsAllLightFromMixedMaterials) {
       p.clearcoatRoughness = 0.3f;
       p.ior = 1.8f;
       p.specular = 0.7f;
-      const Estimate e = furnace(p, cosine);
+      const Albedo e = furnace(p, cosine);
       EXPECT_GT(e.mean, 0.98 - 3.5 * e.standardError) << roughness << " " << cosine;
       EXPECT_LT(e.mean, 1.001 + 3.5 * e.standardError) << roughness << " " << cosine;
     }
@@ -119,7 +119,7 @@ TEST(WhiteFurnace, ReturnsAllLightFromBothSidesOfGlass) {
           p.thinWalled = false;
           p.insideMaterial = inside;
           p.ior = ior;
-          const Estimate e = furnace(p, cosine);
+          const Albedo e = furnace(p, cosine);
           flux += e.mean * cosine;
           weights += cosine;
           const double least = cosine < 0.1 ? 0.95 : 0.98;
@@ -144,11 +144,11 @@ TEST(WhiteFurnace, IsNeverAboveOneForColoredLayers) {
       p.roughness = roughness;
       p.baseColor = {1.0f, 0.6f, 0.2f};
       p.specularColor = {0.1f, 2.0f, 30.0f};  // the extension clamps its product with f0 to 1
-      const Estimate plain = furnace(p, cosine);
+      const Albedo plain = furnace(p, cosine);
       EXPECT_LT(plain.mean, 1.001 + 3.5 * plain.standardError) << roughness << " " << cosine;
       p.transmission = 0.5f;
       p.metallic = 0.5f;
-      const Estimate mixed = furnace(p, cosine);
+      const Albedo mixed = furnace(p, cosine);
       EXPECT_LT(mixed.mean, 1.001 + 3.5 * mixed.standardError) << roughness << " " << cosine;
     }
   }

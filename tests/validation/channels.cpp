@@ -12,18 +12,16 @@
 namespace promenade::validation {
 namespace {
 
-constexpr double kPpd = 40.0;
-constexpr double kLuminance = 50.0;
-constexpr Size kSize{200, 200};
+constexpr double kChannelLuminance = 50.0;
 
 /// Threshold of `pattern` on top of `mask` (contrast included).
 double thresholdOn(const Raster& pattern, const Raster& mask, const aqm::Settings& settings) {
   const auto frame = [&](double contrast) {
     Raster sum = mask;
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += contrast * pattern[i];
-    return frameOf(kSize, kLuminance, sum);
+    return frameOf(kDalySize, kChannelLuminance, sum);
   };
-  return threshold(frame, frameOf(kSize, kLuminance, mask), {}, settings, 0.5);
+  return threshold(frame, frameOf(kDalySize, kChannelLuminance, mask), {}, settings, 0.5);
 }
 
 Raster scaled(Raster raster, double factor) {
@@ -32,21 +30,21 @@ Raster scaled(Raster raster, double factor) {
 }
 
 Raster nothing() {
-  return Raster(kSize.area(), 0.0);
+  return Raster(kDalySize.area(), 0.0);
 }
 
 }  // namespace
 
 void reportPsychometricSlope(Report& report) {
   report.heading("Psychometric slope");
-  const Raster patch = rasterOf(kSize, kPpd, gabor(4.0, 90.0, 0.5, 0.5));
-  const LuminanceMap flat(kSize, static_cast<float>(kLuminance));
+  const Raster patch = rasterOf(kDalySize, kDalyPpd, gabor(4.0, 90.0, 0.5, 0.5));
+  const LuminanceMap flat(kDalySize, static_cast<float>(kChannelLuminance));
   std::vector<std::vector<std::string>> table{{"metric", "slope between P = 0.2 and 0.9"}};
-  for (const Named& kind : metrics(kPpd)) {
+  for (const Named& kind : metrics(kDalyPpd)) {
     const double at = thresholdOn(patch, nothing(), kind.settings);
     const auto logOdds = [&](double factor) {
-      const aqm::Result result =
-          aqm::compare(frameOf(kSize, kLuminance, scaled(patch, factor * at)), flat, {}, kind.settings);
+      const aqm::Result result = aqm::compare(
+          frameOf(kDalySize, kChannelLuminance, scaled(patch, factor * at)), flat, {}, kind.settings);
       const double p = static_cast<double>(*std::ranges::max_element(result.probability.pixels()));
       return std::log(-std::log1p(-p));
     };
@@ -70,12 +68,12 @@ void reportSummation(Report& report) {
   std::vector<Series> series;
   std::vector<std::vector<std::string>> table{
       {"metric", "dB per doubling of sigma, 0.1 to 0.2", "0.2 to 0.4", "0.4 to 0.8"}};
-  for (const Named& kind : metrics(kPpd)) {
+  for (const Named& kind : metrics(kDalyPpd)) {
     Series one{kind.name, {}, {}, Mark::kLine};
     for (const double sigma : {0.05, 0.1, 0.2, 0.4, 0.8}) {
       one.x.push_back(sigma);
-      one.y.push_back(decibels(
-          thresholdOn(rasterOf(kSize, kPpd, gabor(4.0, 90.0, sigma, sigma)), nothing(), kind.settings)));
+      one.y.push_back(decibels(thresholdOn(rasterOf(kDalySize, kDalyPpd, gabor(4.0, 90.0, sigma, sigma)),
+                                           nothing(), kind.settings)));
     }
     table.push_back({kind.name, fixed(one.y[2] - one.y[1], 1), fixed(one.y[3] - one.y[2], 1),
                      fixed(one.y[4] - one.y[3], 1)});
@@ -102,12 +100,12 @@ void reportContrastMasking(Report& report) {
       "Literature (Legge, Foley 1980; Nachmias, Sansbury 1974): a faint mask helps by a factor of 2 to 3 "
       "(the dipper), a strong one "
       "elevates with a slope of 0.6 to 0.7, a large mask as a small one does; noise masks with slope 1.");
-  const Raster patch = rasterOf(kSize, kPpd, gabor(2.0, 90.0, 0.5, 0.5));
-  const Raster bars = rasterOf(kSize, kPpd, grating(2.0, 90.0));
+  const Raster patch = rasterOf(kDalySize, kDalyPpd, gabor(2.0, 90.0, 0.5, 0.5));
+  const Raster bars = rasterOf(kDalySize, kDalyPpd, grating(2.0, 90.0));
   std::vector<Series> series;
   std::vector<std::vector<std::string>> table{
       {"metric", "least elevation dB", "slope from 5 to 40 %, Gabor as mask", "grating as mask"}};
-  for (const Named& kind : metrics(kPpd)) {
+  for (const Named& kind : metrics(kDalyPpd)) {
     Series one{kind.name, {}, {}, Mark::kLine};
     std::vector<double> onBars;
     const double alone = thresholdOn(patch, nothing(), kind.settings);
@@ -149,9 +147,9 @@ void reportChannelShapes(Report& report) {
       "another frequency or orientation, mean of three. Width at half the largest elevation in dB. "
       "Literature: 1 to 1.5 octaves "
       "(Stromeyer, Julesz 1972; Wilson et al. 1983); 15 to 20 degrees to one side (Phillips, Wilson 1984).");
-  const Raster patch = rasterOf(kSize, kPpd, gabor(5.0, 0.0, 0.35, 0.35));
+  const Raster patch = rasterOf(kDalySize, kDalyPpd, gabor(5.0, 0.0, 0.35, 0.35));
   const auto noiseAt = [&](double frequency, double degrees, bool bothSides, unsigned seed) {
-    return noise(kSize.width, kPpd, 0.2, seed, [=](double f, double direction) {
+    return noise(kDalySize.width, kDalyPpd, 0.2, seed, [=](double f, double direction) {
       const double octaves = std::log2(std::max(f, 1e-6) / frequency);
       const auto off = [&](double towards) {
         const double turned = std::fmod(std::abs(direction - towards), 180.0);
@@ -194,7 +192,7 @@ void reportChannelShapes(Report& report) {
   std::vector<std::vector<std::string>> table{{"metric", "radial width, octaves",
                                                "orientation half-width, degrees",
                                                "half-width with noise on both sides"}};
-  for (const Named& kind : metrics(kPpd)) {
+  for (const Named& kind : metrics(kDalyPpd)) {
     radial.push_back(curve(kind, {1.25, 1.75, 2.5, 3.0, 3.5, 4.2, 5.0, 6.0, 7.0, 8.4, 10.0, 14.0},
                            [&](double f, unsigned seed) { return noiseAt(f, 0.0, false, seed); }));
     const std::vector<double> angles{0, 10, 20, 30, 40, 50, 60, 75, 90};

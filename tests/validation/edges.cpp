@@ -10,9 +10,9 @@
 namespace promenade::validation {
 namespace {
 
-constexpr double kPpd = 120.0;
-constexpr Size kSize{192, 192};
-constexpr double kLuminance = 50.0;
+constexpr double kEdgePpd = 120.0;
+constexpr Size kEdgeSize{192, 192};
+constexpr double kEdgeLuminance = 50.0;
 
 /// The size at which Jp reaches 1; `frame`(size) grows less like `frame`(0) with it.
 double sizeAtThreshold(const std::function<LuminanceMap(double)>& frame, double least, double most,
@@ -37,15 +37,15 @@ void reportBlur(Report& report) {
       "contrast falls, about "
       "twofold at 10 %.");
   std::vector<std::vector<std::string>> table{{"contrast"}};
-  for (const Named& kind : metrics(kPpd)) table[0].push_back(kind.name + ", arc minutes");
+  for (const Named& kind : metrics(kEdgePpd)) table[0].push_back(kind.name + ", arc minutes");
   for (const double contrast : {0.05, 0.1, 0.2, 0.4, 0.8}) {
     table.push_back({fixed(contrast, 2)});
-    for (const Named& kind : metrics(kPpd)) {
+    for (const Named& kind : metrics(kEdgePpd)) {
       const auto frame = [&](double sigma) {
         // Averaged over each pixel's own width, of deviation 1 / sqrt(12).
-        const double width = std::hypot(sigma / 60.0, 1.0 / (kPpd * std::sqrt(12.0)));
-        return frameOf(kSize, kPpd, kLuminance, contrast, [=](double x, double) {
-          return std::erf((x + 0.5 / kPpd) / (width * std::sqrt(2.0)));
+        const double width = std::hypot(sigma / 60.0, 1.0 / (kEdgePpd * std::sqrt(12.0)));
+        return frameOf(kEdgeSize, kEdgePpd, kEdgeLuminance, contrast, [=](double x, double) {
+          return std::erf((x + 0.5 / kEdgePpd) / (width * std::sqrt(2.0)));
         });
       };
       table.back().push_back(fixed(sizeAtThreshold(frame, 0.02, 10.0, kind.settings), 2));
@@ -65,9 +65,9 @@ void reportVernier(Report& report) {
       "degree, rendered with exact "
       "coverage, 50 cd/m2, contrast 0.8. Literature: 5 to 10 seconds of arc (Westheimer 1975), rising as the "
       "contrast falls.");
-  std::vector<Named> kinds = metrics(kPpd);
+  std::vector<Named> kinds = metrics(kEdgePpd);
   const auto variant = [&](const std::string& name, const auto& change) {
-    kinds.push_back({name, aqm::aqm(kPpd)});
+    kinds.push_back({name, aqm::aqm(kEdgePpd)});
     change(kinds.back().settings);
   };
   variant("aqm without masking", [](aqm::Settings& s) { s.masking.elevation = aqm::Elevation::kNone; });
@@ -79,12 +79,12 @@ void reportVernier(Report& report) {
     table.push_back({fixed(contrast, 1)});
     for (const Named& kind : kinds) {
       const auto frame = [&](double seconds) {
-        return frameOf(kSize, kPpd, kLuminance, contrast, [=](double x, double y) {
+        return frameOf(kEdgeSize, kEdgePpd, kEdgeLuminance, contrast, [=](double x, double y) {
           const double centre = (y < 0.0 ? 0.0 : seconds / 3600.0);
           const double half = 0.5 / 60.0;
-          const double from = std::max(x - 0.5 / kPpd, centre - half);
-          const double to = std::min(x + 0.5 / kPpd, centre + half);
-          return std::max(0.0, to - from) * kPpd;
+          const double from = std::max(x - 0.5 / kEdgePpd, centre - half);
+          const double to = std::min(x + 0.5 / kEdgePpd, centre + half);
+          return std::max(0.0, to - from) * kEdgePpd;
         });
       };
       table.back().push_back(fixed(sizeAtThreshold(frame, 0.3, 300.0, kind.settings), 1));

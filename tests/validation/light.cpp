@@ -11,18 +11,16 @@
 namespace promenade::validation {
 namespace {
 
-constexpr double kPpd = 40.0;
-constexpr Size kSize{200, 200};
 constexpr std::array<double, 4> kLuminances{0.1, 1.0, 10.0, 100.0};
 
 double thresholdAt(double luminance, const Pattern& pattern, const aqm::Settings& settings) {
-  const Raster raster = rasterOf(kSize, kPpd, pattern);
+  const Raster raster = rasterOf(kDalySize, kDalyPpd, pattern);
   const auto frame = [&](double contrast) {
     Raster scaled = raster;
     for (double& value : scaled) value *= contrast;
-    return frameOf(kSize, luminance, scaled);
+    return frameOf(kDalySize, luminance, scaled);
   };
-  return threshold(frame, LuminanceMap(kSize, static_cast<float>(luminance)), {}, settings);
+  return threshold(frame, LuminanceMap(kDalySize, static_cast<float>(luminance)), {}, settings);
 }
 
 }  // namespace
@@ -35,7 +33,7 @@ void reportLightAdaptation(Report& report) {
       "sensitivity rises by 10 to 15 dB and moves from about 1.5 to 4 cycles per degree. The gratings were "
       "there for "
       "long: `revised` is without its onset.");
-  aqm::Settings steady = aqm::revisedAqm(kPpd);
+  aqm::Settings steady = aqm::revisedAqm(kDalyPpd);
   steady.onsetHertz = 0.0;
   std::vector<Series> series;
   std::vector<std::vector<std::string>> table{{"cd/m2", "vdp, largest sensitivity", "at",
@@ -49,8 +47,8 @@ void reportLightAdaptation(Report& report) {
     double aqmPeak = 0.0;
     double revisedPeak = 0.0;
     for (double rho = 0.5; rho < 17.0; rho *= std::sqrt(2.0)) {
-      const double s = 1.0 / thresholdAt(luminance, grating(rho, 0.0), aqm::vdp(kPpd, 1.0));
-      aqmPeak = std::max(aqmPeak, 1.0 / thresholdAt(luminance, grating(rho, 0.0), aqm::aqm(kPpd)));
+      const double s = 1.0 / thresholdAt(luminance, grating(rho, 0.0), aqm::vdp(kDalyPpd, 1.0));
+      aqmPeak = std::max(aqmPeak, 1.0 / thresholdAt(luminance, grating(rho, 0.0), aqm::aqm(kDalyPpd)));
       revisedPeak = std::max(revisedPeak, 1.0 / thresholdAt(luminance, grating(rho, 0.0), steady));
       one.x.push_back(rho);
       one.y.push_back(s);
@@ -86,10 +84,10 @@ void reportEdgesAtGreyLevels(Report& report) {
       "10 cd/m2 (de Vries, Rose).");
   const Pattern edge = [](double x, double) { return x >= 0.0 ? 0.5 : -0.5; };
   std::vector<std::vector<std::string>> table{{"cd/m2"}};
-  for (const Named& kind : metrics(kPpd)) table[0].push_back(kind.name + ", %");
+  for (const Named& kind : metrics(kDalyPpd)) table[0].push_back(kind.name + ", %");
   for (const double luminance : {0.1, 1.0, 10.0, 50.0, 100.0, 300.0}) {
     table.push_back({fixed(luminance, 1)});
-    for (const Named& kind : metrics(kPpd)) {
+    for (const Named& kind : metrics(kDalyPpd)) {
       table.back().push_back(fixed(100.0 * thresholdAt(luminance, edge, kind.settings), 2));
     }
   }

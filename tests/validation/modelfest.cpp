@@ -14,7 +14,7 @@
 namespace promenade::validation {
 namespace {
 
-constexpr double kLuminance = 30.0;
+constexpr double kModelfestLuminance = 30.0;
 /// Where the spatiovelocity CSF itself is known to be wrong: 22.6 and 30 cycles per degree, blobs of 0.5 and
 /// 0.14 degrees.
 const std::set<int> kKnownWrong{9, 10, 26, 27};
@@ -46,7 +46,7 @@ void reportModelfest(Report& report, const std::filesystem::path& data) {
   const std::vector<Row> rows = readTable(data / "modelfest_thresholds.csv");
   std::vector<std::vector<double>> errors(settings.size());
   std::vector<int> stimuli;
-  const LuminanceMap flat(kModelfestSize, static_cast<float>(kLuminance));
+  const LuminanceMap flat(kModelfestSize, static_cast<float>(kModelfestLuminance));
   for (const Row& row : rows) {
     const int stimulus = static_cast<int>(numberIn(row, "stim"));
     const double measured = std::pow(10.0, -numberIn(row, "mean_neglog10_thr"));
@@ -54,7 +54,7 @@ void reportModelfest(Report& report, const std::filesystem::path& data) {
     const auto frame = [&](double contrast) {
       Raster scaled = pattern;
       for (double& value : scaled) value *= contrast;
-      return frameOf(kModelfestSize, kLuminance, scaled);
+      return frameOf(kModelfestSize, kModelfestLuminance, scaled);
     };
     stimuli.push_back(stimulus);
     for (std::size_t i = 0; i < settings.size(); ++i) {

@@ -37,4 +37,8 @@ using Raster = std::vector<double>;
 inline constexpr Size kModelfestSize{256, 256};
 inline constexpr double kModelfestPpd = 120.0;
 
+/// Frames of Daly's tests: five degrees wide.
+inline constexpr Size kDalySize{200, 200};
+inline constexpr double kDalyPpd = 40.0;
+
 }  // namespace promenade::validation

@@ -11,27 +11,27 @@ namespace {
 
 using tests::NoisyWall;
 
-constexpr Size kSize{96, 64};
-const Camera kCamera(Pose{}, 1.0, kSize);
+constexpr Size kConvergedSize{96, 64};
+const Camera kCamera(Pose{}, 1.0, kConvergedSize);
 
-Settings settings() {
+Settings convergenceSettings() {
   Settings s;
-  s.size = kSize;
+  s.size = kConvergedSize;
   s.supersample = 1;
   return s;
 }
 
 Converged grey() {
-  Frame frame = unshaded(NoisyWall(kSize, {}, 0).visibility(kCamera));
+  Frame frame = unshaded(NoisyWall(kConvergedSize, {}, 0).visibility(kCamera));
   for (Rgb& value : frame.diffuse.pixels()) value = Rgb(NoisyWall::kGrey);
-  return convergedTo(frame, settings());
+  return convergedTo(frame, convergenceSettings());
 }
 
 TEST(Convergence, DoublesThePathsUpToTheMost) {
   const NoisyWall wall(
-      kSize, [](int, int) { return 0.1; }, 1);
+      kConvergedSize, [](int, int) { return 0.1; }, 1);
   std::vector<int> asked;
-  renderProgressively(wall, kCamera, settings(), 16,
+  renderProgressively(wall, kCamera, convergenceSettings(), 16,
                       [&](const Frame&, int paths, double) { asked.push_back(paths); });
   EXPECT_THAT(asked, testing::ElementsAre(1, 2, 4, 8, 16));
   EXPECT_EQ(wall.pathsOf(5, 5), 16);
@@ -39,8 +39,8 @@ TEST(Convergence, DoublesThePathsUpToTheMost) {
 
 TEST(Convergence, OfAQuietWallIsThereAtOnce) {
   const NoisyWall wall(
-      kSize, [](int, int) { return 0.0; }, 1);
-  for (const ConvergencePoint& point : convergenceOf(wall, kCamera, settings(), grey(), 4, 2.5)) {
+      kConvergedSize, [](int, int) { return 0.0; }, 1);
+  for (const ConvergencePoint& point : convergenceOf(wall, kCamera, convergenceSettings(), grey(), 4, 2.5)) {
     EXPECT_EQ(point.percentVisible, 0.0);
     EXPECT_GE(point.seconds, 2.5);
     EXPECT_EQ(point.predictedPercent.has_value(), point.paths > 1);
@@ -50,8 +50,8 @@ TEST(Convergence, OfAQuietWallIsThereAtOnce) {
 TEST(Convergence, OfANoisyWallFallsAndThePredictionBoundsIt) {
   // At 1 per cent of contrast noise of this grain is just visible (method.md): 0.3 needs some 900 paths.
   const NoisyWall wall(
-      kSize, [](int, int) { return 0.3; }, 1);
-  const auto points = convergenceOf(wall, kCamera, settings(), grey(), 4096, 0.0);
+      kConvergedSize, [](int, int) { return 0.3; }, 1);
+  const auto points = convergenceOf(wall, kCamera, convergenceSettings(), grey(), 4096, 0.0);
   EXPECT_GT(points.front().percentVisible, 99.0);
   EXPECT_LT(points.back().percentVisible, 1.0);
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,11 +14,13 @@
 #include "src/walkthrough/view.h"
 #include "tests/walkthrough/analytic_renderer.h"
 #include "tests/walkthrough/scene_renderer.h"
+#include "tests/walkthrough/walks.h"
 
 namespace promenade::walkthrough {
 namespace {
 
 using ibr::tests::AnalyticScene;
+using ibr::tests::rmse;
 using tests::AnalyticRenderer;
 using tests::Panel;
 using tests::SceneRenderer;
@@ -36,12 +37,8 @@ paths::CameraPath walk(int frames, double step) {
   return path;
 }
 
-Settings settingsFor(const paths::CameraPath& path) {
-  Settings settings;
-  settings.size = {64, 36};
-  settings.supersample = 2;
-  settings.frames = {0, path.frameCount() - 1};
-  settings.tone.curve = ToneCurve::kLinear;
+Settings filteredSettings(const paths::CameraPath& path) {
+  Settings settings = tests::settingsFor(path);
   settings.antialiasing = Antialiasing{};
   return settings;
 }
@@ -57,15 +54,6 @@ std::map<int, FinishedFrame> rendered(const paths::CameraPath& path, const Rende
   };
   (void)renderParts(path, renderer, settings, parts, outputs);
   return frames;
-}
-
-double rmse(const RadianceMap& a, const RadianceMap& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const glm::dvec3 d(a.pixels()[i] - b.pixels()[i]);
-    sum += glm::dot(d, d) / 3.0;
-  }
-  return std::sqrt(sum / static_cast<double>(a.pixels().size()));
 }
 
 TEST(WindowOf, IsTheNearestFramesOfThePart) {
@@ -93,7 +81,7 @@ TEST(WindowOf, IsTheFrameAloneWithoutAntialiasing) {
 TEST(Finishing, OfPartsInAnyOrderIsTheSameAsOfAllInOne) {
   const auto path = walk(22, 0.05);
   for (const Method method : {Method::kImageBased, Method::kFull}) {
-    Settings settings = settingsFor(path);
+    Settings settings = filteredSettings(path);
     settings.frames = {2, 20};
     settings.keyframeSpacing = 8;
     settings.method = method;
@@ -114,7 +102,7 @@ TEST(Finishing, OfPartsInAnyOrderIsTheSameAsOfAllInOne) {
 TEST(Finishing, KnowsThatNothingMovesThoughSamplePositionsDo) {
   const auto path = walk(9, 0.0);
   const AnalyticRenderer renderer(Panel::kMatt);
-  const Settings settings = settingsFor(path);
+  const Settings settings = filteredSettings(path);
   for (const auto& [index, frame] : rendered(path, renderer, settings, partsOf(settings))) {
     for (const glm::vec2& flow : frame.flowToNext.pixels()) ASSERT_EQ(flow, glm::vec2(0.0f)) << index;
   }
@@ -123,7 +111,7 @@ TEST(Finishing, KnowsThatNothingMovesThoughSamplePositionsDo) {
 TEST(Finishing, RefusesAWindowWithoutFrames) {
   const auto path = walk(9, 0.0);
   const AnalyticRenderer renderer(Panel::kMatt);
-  Settings settings = settingsFor(path);
+  Settings settings = filteredSettings(path);
   settings.antialiasing->radius = 0;
   EXPECT_THROW((void)renderWalkthrough(path, renderer, settings, {}), InputError);
   settings.antialiasing = Antialiasing{.deviationFrames = 0.0};
@@ -188,9 +176,8 @@ class Antialiased : public testing::TestWithParam<Walk> {
 
  private:
   [[nodiscard]] static Settings fullSettings(const paths::CameraPath& path) {
-    Settings settings = settingsFor(path);
+    Settings settings = tests::settingsFor(path);
     settings.method = Method::kFull;
-    settings.antialiasing.reset();
     return settings;
   }
   [[nodiscard]] std::map<int, FinishedFrame> truth() {

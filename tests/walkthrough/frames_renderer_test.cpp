@@ -5,30 +5,21 @@
 #include <cmath>
 #include <limits>
 
-#include "src/walkthrough/walkthrough.h"
 #include "tests/walkthrough/analytic_renderer.h"
+#include "tests/walkthrough/walks.h"
 
 namespace promenade::walkthrough {
 namespace {
 
 using tests::AnalyticRenderer;
 using tests::Panel;
+using tests::strafe;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-paths::CameraPath strafe(int frames, double step) {
-  paths::CameraPath path;
-  for (int i = 0; i < frames; ++i) {
-    Pose pose;
-    pose.eye.x = i * step;
-    path.frames.push_back({pose, 1.0});
-  }
-  return path;
-}
-
 /// About the eye's upright axis, `step` radians a frame.
 paths::CameraPath turn(int frames, double step) {
-  auto path = strafe(frames, 0.0);
+  auto path = tests::still(frames);
   for (int i = 0; i < frames; ++i) {
     const double angle = step * i;
     path.frames[static_cast<std::size_t>(i)].pose.worldFromCamera =
@@ -37,28 +28,37 @@ paths::CameraPath turn(int frames, double step) {
   return path;
 }
 
-Settings settingsFor(const paths::CameraPath& path) {
-  Settings settings;
-  settings.size = {64, 36};
-  settings.supersample = 1;
-  settings.frames = {0, path.frameCount() - 1};
-  settings.tone.curve = ToneCurve::kLinear;
+/// One sample a pixel; holes stay.
+Settings settingsOfFrames(const paths::CameraPath& path) {
+  Settings settings = tests::settingsFor(path, tests::kWalkSize, 1);
   settings.holes = Holes::kStay;
   settings.probeShare = 0.0;
   return settings;
 }
 
+/// Frames that an analytic renderer makes, counted.
+struct AskedFrames {
+  explicit AskedFrames(double mostUnknownPercent)
+      : renderer(
+            [this](const Camera& camera, int index) {
+              ++asked;
+              return real.render(camera, index);
+            },
+            {}, mostUnknownPercent) {}
+  AnalyticRenderer real{Panel::kMatt};
+  int asked = 0;
+  FramesRenderer renderer;
+};
+
 TEST(FramesRenderer, MakesFramesBetweenThatAreCloseToTheRealOnesAndMarksWhatNobodyKnows) {
-  const AnalyticRenderer real(Panel::kMatt);
-  const FramesRenderer frames([&](const Camera& camera, int index) { return real.render(camera, index); }, {},
-                              100.0);
+  const AskedFrames frames(100.0);
   const auto path = strafe(9, 0.05);
-  Settings settings = settingsFor(path);
+  Settings settings = settingsOfFrames(path);
   settings.tolerancePercent = 100.0;
   std::size_t unknown = 0;
   Outputs outputs;
   outputs.frame = [&](FinishedFrame&& frame) {
-    const Frame expected = real.render(path.camera(frame.index, settings.size), frame.index);
+    const Frame expected = frames.real.render(path.camera(frame.index, settings.size), frame.index);
     for (int y = 0; y < settings.size.height; ++y) {
       for (int x = 0; x < settings.size.width; ++x) {
         if (frame.source(x, y) == SampleSource::kUnknown) {
@@ -73,7 +73,7 @@ TEST(FramesRenderer, MakesFramesBetweenThatAreCloseToTheRealOnesAndMarksWhatNobo
       }
     }
   };
-  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, outputs);
+  const Statistics statistics = renderParts(path, frames.renderer, settings, Plan{Segment{0, 8, 0}}, outputs);
   EXPECT_EQ(statistics.keyframes(), 2);
   std::uint64_t counted = 0;
   for (const FrameStatistics& frame : statistics.frames) {
@@ -88,57 +88,41 @@ TEST(FramesRenderer, MakesFramesBetweenThatAreCloseToTheRealOnesAndMarksWhatNobo
 }
 
 TEST(FramesRenderer, AsksForMoreFramesWhereNothingIsKnown) {
-  const AnalyticRenderer real(Panel::kMatt);
-  int asked = 0;
-  const FramesRenderer frames(
-      [&](const Camera& camera, int index) {
-        ++asked;
-        return real.render(camera, index);
-      },
-      {}, 3.0);
+  const AskedFrames frames(3.0);
   // Turning away by more than the view is wide: the middle shows what neither end does.
   const auto path = turn(9, 0.4);
-  Settings settings = settingsFor(path);
-  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});
+  Settings settings = settingsOfFrames(path);
+  const Statistics statistics = renderParts(path, frames.renderer, settings, Plan{Segment{0, 8, 0}}, {});
   EXPECT_GT(statistics.keyframes(), 2);
-  EXPECT_EQ(asked, statistics.keyframes());
+  EXPECT_EQ(frames.asked, statistics.keyframes());
 }
 
 TEST(FramesRenderer, HasAFrameMadeOfWhichTooMuchIsUnknown) {
-  const AnalyticRenderer real(Panel::kMatt);
   const auto path = strafe(9, 0.05);
-  const Settings settings = settingsFor(path);
+  const Settings settings = settingsOfFrames(path);
   for (const double mostUnknownPercent : {0.0, 100.0}) {
-    const FramesRenderer frames([&](const Camera& camera, int index) { return real.render(camera, index); },
-                                {}, mostUnknownPercent);
+    const AskedFrames frames(mostUnknownPercent);
     const Camera camera = path.camera(3, settings.size);
-    Frame frame = unshaded(frames.visibility(camera));
-    frames.retrace(frame, Mask(settings.size), SampleSource::kTracedHole, 3);  // nothing is open
+    Frame frame = unshaded(frames.renderer.visibility(camera));
+    frames.renderer.retrace(frame, Mask(settings.size), SampleSource::kTracedHole, 3);  // nothing is open
     EXPECT_EQ(frame.visibility.item(20, 20), kNoItem);
     Mask one(settings.size);
     one(20, 20) = 1;
-    frames.retrace(frame, one, SampleSource::kTracedHole, 3);
+    frames.renderer.retrace(frame, one, SampleSource::kTracedHole, 3);
     const bool isMade = mostUnknownPercent == 0.0;
     EXPECT_EQ(frame.source(20, 20), isMade ? SampleSource::kTraced : SampleSource::kUnknown);
-    EXPECT_EQ(frame.diffuse(40, 30), isMade ? real.render(camera, 3).diffuse(40, 30) : Rgb(0.0f));
+    EXPECT_EQ(frame.diffuse(40, 30), isMade ? frames.real.render(camera, 3).diffuse(40, 30) : Rgb(0.0f));
   }
 }
 
 TEST(FramesRenderer, FramesThatHadToBeMadeCountAsKeyframesAndServeTheOthers) {
-  const AnalyticRenderer real(Panel::kMatt);
-  int asked = 0;
-  const FramesRenderer frames(
-      [&](const Camera& camera, int index) {
-        ++asked;
-        return real.render(camera, index);
-      },
-      {}, 0.0);
+  const AskedFrames frames(0.0);
   const auto path = turn(9, 0.4);  // by more than the view is wide
-  Settings settings = settingsFor(path);
+  Settings settings = settingsOfFrames(path);
   settings.tolerancePercent = 100.0;  // no segment is split
-  const Statistics statistics = renderParts(path, frames, settings, Plan{Segment{0, 8, 0}}, {});
-  EXPECT_GT(asked, 2);
-  EXPECT_EQ(statistics.keyframes(), asked);
+  const Statistics statistics = renderParts(path, frames.renderer, settings, Plan{Segment{0, 8, 0}}, {});
+  EXPECT_GT(frames.asked, 2);
+  EXPECT_EQ(statistics.keyframes(), frames.asked);
   for (const FrameStatistics& frame : statistics.frames) {
     EXPECT_EQ(frame.unknown, 0u) << frame.index;
     EXPECT_EQ(frame.samplesTraced, frame.kind == FrameKind::kKeyframe ? frame.samples : 0u) << frame.index;

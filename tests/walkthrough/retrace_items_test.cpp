@@ -13,18 +13,18 @@ using tests::AnalyticRenderer;
 using tests::kPanel;
 using tests::Panel;
 
-constexpr Size kSize{128, 72};
+constexpr Size kRetracedSize{128, 72};
 
 /// A frame whose view-dependent layer is wrong wherever the panel is.
 struct Wrong {
   Frame frame;
-  Mask panel{kSize};
+  Mask panel{kRetracedSize};
   std::size_t samples = 0;
 };
 
 Wrong wrongPanel(const AnalyticRenderer& renderer) {
-  Wrong wrong{renderer.render(Camera(Pose{}, 1.0, kSize), 0)};
-  for (std::size_t i = 0; i < kSize.area(); ++i) {
+  Wrong wrong{renderer.render(Camera(Pose{}, 1.0, kRetracedSize), 0)};
+  for (std::size_t i = 0; i < kRetracedSize.area(); ++i) {
     wrong.frame.source.pixels()[i] = SampleSource::kBlended;
     if (wrong.frame.visibility.item.pixels()[i] != kPanel) continue;
     wrong.frame.viewDependent.pixels()[i] = Rgb(7.0f);
@@ -48,7 +48,7 @@ float largestError(const RadianceMap& found, const RadianceMap& truth) {
 
 TEST(RetraceItems, TracesOneSampleAPixelOfASmoothReflection) {
   const AnalyticRenderer renderer(Panel::kGlossy);
-  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kSize), 0);
+  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kRetracedSize), 0);
   Wrong wrong = wrongPanel(renderer);
   const std::uint64_t before = renderer.shaded();
   const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
@@ -65,7 +65,7 @@ TEST(RetraceItems, TracesOneSampleAPixelOfASmoothReflection) {
 
 TEST(RetraceItems, TracesEverySampleOfASharpReflection) {
   const AnalyticRenderer renderer(Panel::kMirrorLike);
-  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kSize), 0);
+  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kRetracedSize), 0);
   Wrong wrong = wrongPanel(renderer);
   const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
   EXPECT_GT(count(retraced.traced), wrong.samples * 8 / 10);
@@ -92,7 +92,8 @@ TEST(RetraceItems, TracesNothingThatIsNotSelected) {
   const AnalyticRenderer renderer(Panel::kGlossy);
   Wrong wrong = wrongPanel(renderer);
   const std::uint64_t before = renderer.shaded();
-  const RetracedItems retraced = retraceItems(std::move(wrong.frame), Mask(kSize), ItemSet(), 2, 0, renderer);
+  const RetracedItems retraced =
+      retraceItems(std::move(wrong.frame), Mask(kRetracedSize), ItemSet(), 2, 0, renderer);
   EXPECT_EQ(renderer.shaded(), before);
   EXPECT_EQ(count(retraced.traced), 0u);
 }

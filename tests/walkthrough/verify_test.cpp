@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/walkthrough/analytic_renderer.h"
+#include "tests/walkthrough/walks.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -33,19 +34,16 @@ paths::CameraPath thereAndBack() {
   return path;
 }
 
-Settings settingsFor(const paths::CameraPath& path) {
-  Settings settings;
-  settings.size = {128, 72};
-  settings.supersample = 2;
-  settings.frames = {0, path.frameCount() - 1};
-  settings.tone.curve = ToneCurve::kLinear;
+/// Judged once, in the middle.
+Settings inOneSegment(const paths::CameraPath& path) {
+  Settings settings = tests::settingsFor(path, {128, 72});
   settings.keyframeSpacing = kFrames - 1;
   return settings;
 }
 
 Statistics walk(const AnalyticRenderer& renderer, double probeShare) {
   const auto path = thereAndBack();
-  Settings settings = settingsFor(path);
+  Settings settings = inOneSegment(path);
   settings.probeShare = probeShare;
   return renderWalkthrough(path, renderer, settings, {});
 }
@@ -90,7 +88,7 @@ TEST(VerifyMiddle, IsNotMisledByNoise) {
   // Noise of 30% a sample is seen by anybody: a comparison of single samples would find nothing but errors.
   const AnalyticRenderer renderer(Panel::kMatt, 0.3);
   const auto path = thereAndBack();
-  const Settings settings = settingsFor(path);
+  const Settings settings = inOneSegment(path);
   const Frame first = renderer.render(path.camera(0, settings.size).supersampled(2), 0);
   const Frame last = renderer.render(path.camera(8, settings.size).supersampled(2), 8);
   WarpedPair warped;

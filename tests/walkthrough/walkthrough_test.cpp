@@ -11,28 +11,18 @@
 
 #include "src/core/errors.h"
 #include "tests/walkthrough/analytic_renderer.h"
+#include "tests/walkthrough/walks.h"
 
 namespace promenade::walkthrough {
 namespace {
 
 using testing::Each;
 using tests::AnalyticRenderer;
+using tests::kWalkSize;
 using tests::Panel;
-
-constexpr Size kSize{64, 36};
-
-paths::CameraPath still(int frames) {
-  paths::CameraPath path;
-  for (int i = 0; i < frames; ++i) path.frames.push_back({Pose{}, 1.0});
-  return path;
-}
-
-/// A strafe: `step` metres to the right a frame.
-paths::CameraPath strafe(int frames, double step) {
-  paths::CameraPath path = still(frames);
-  for (int i = 0; i < frames; ++i) path.frames[static_cast<std::size_t>(i)].pose.eye.x = i * step;
-  return path;
-}
+using tests::settingsFor;
+using tests::still;
+using tests::strafe;
 
 /// Every other frame looks the other way.
 paths::CameraPath cuts(int frames) {
@@ -42,15 +32,6 @@ paths::CameraPath cuts(int frames) {
         glm::dmat3(glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1));
   }
   return path;
-}
-
-Settings settingsFor(const paths::CameraPath& path) {
-  Settings settings;
-  settings.size = kSize;
-  settings.supersample = 2;
-  settings.frames = {0, path.frameCount() - 1};
-  settings.tone.curve = ToneCurve::kLinear;
-  return settings;
 }
 
 struct WalkResult {
@@ -271,8 +252,8 @@ TEST(Walkthrough, TracesAMirrorThatAViewerWouldCatchAndMarksItsSource) {
   }
   EXPECT_GT(itemSamples, 0u);
   for (const auto& [index, frame] : result.frames) {
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kWalkSize.height; ++y) {
+      for (int x = 0; x < kWalkSize.width; ++x) {
         if (frame.source(x, y) == SampleSource::kTracedItem) {
           ASSERT_EQ(frame.visibility.item(x, y), tests::kPanel) << index << ": " << x << ", " << y;
         }
@@ -515,8 +496,8 @@ TEST(AdaptationAlong, SeesTheWalkBeforeItIsRendered) {
 
 TEST(AdaptationAlong, IsTheSameWheneverItIsAsked) {
   const AnalyticRenderer renderer(Panel::kMirrorLike);
-  const AdaptationCurve once = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kSize, 100.0);
-  const AdaptationCurve again = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kSize, 100.0);
+  const AdaptationCurve once = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kWalkSize, 100.0);
+  const AdaptationCurve again = adaptationAlong(strafe(9, 0.2), {0, 8}, renderer, kWalkSize, 100.0);
   for (int frame = 0; frame < 9; ++frame) EXPECT_EQ(once.at(frame).now, again.at(frame).now);
 }
 
