@@ -71,7 +71,7 @@ TEST_F(Resume, AfterAFullDiskGoesOnWhenThereIsRoom) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const SmallDisk disk(at("disk"), "128k");
   if (!disk) GTEST_SKIP() << "SKIPPED: a small file system cannot be mounted here";
-  const Arguments job = {"--spacing", "4", "--size", "128x72"};
+  const Arguments job = {"--spacing", "4", "--size", "128x72", "--integrator", "path"};
   expectDone(run(stoppable(scene, at("whole"), job)));
   EXPECT_EQ(run(stoppable(scene, at("disk/out"), job)).status, 3);
   EXPECT_GT(framesIn(at("disk/out")), 0);

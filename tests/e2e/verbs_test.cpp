@@ -18,7 +18,7 @@ class Verbs : public InFolder {
   std::string rendered(const std::string& name, const std::string& size, const std::string& frames) {
     const auto scene = writeScene(folder_, "scene", With::kAll);
     expectDone(run({"render", scene, "--out", at(name), "--size", size, "--supersample", "1", "--spp", "1",
-                    "--exposure", "0", "--frames", frames, "--quiet"}));
+                    "--exposure", "0", "--integrator", "path", "--frames", frames, "--quiet"}));
     return at(name);
   }
 };
