@@ -367,6 +367,9 @@ void addVerb(CLI::App& verb, Verb which, CommandLine& line, std::string& config)
   switch (which) {
     case Verb::kRender:
       addRender(verb, line.render);
+      verb.add_option("--preview", line.render.preview,
+                      "Instead of the walk, the best picture of its first frame that can be had in so many "
+                      "seconds: DIR/preview.exr and .png");
       break;
     case Verb::kPlan:
       addRender(verb, line.render);

@@ -1,8 +1,8 @@
 #include "src/app/frame_output.h"
 
 #include <cstdio>
+#include <utility>
 
-#include "src/io/exr_frame.h"
 #include "src/io/exr_maps.h"
 #include "src/walkthrough/statistics.h"
 
@@ -10,26 +10,32 @@ namespace promenade::app {
 
 using walkthrough::Stopwatch;
 
-FrameFiles::FrameFiles(const OutputFolder& folder, const paths::CameraPath& path, std::string scene,
-                       std::string jobHash)
-    : folder_(folder), path_(path), scene_(std::move(scene)), jobHash_(std::move(jobHash)) {}
-
-void FrameFiles::write(walkthrough::FinishedFrame&& frame) {
-  const Stopwatch watch(seconds_);
+io::FrameFile fileOf(walkthrough::FinishedFrame&& frame, const paths::CameraPath& path,
+                     const std::string& scene, const std::string& jobHash) {
   io::FrameFile file;
   file.metadata.frame = frame.index;
-  file.metadata.framesPerSecond = path_.framesPerSecond;
-  file.metadata.camera = path_.camera(frame.index, frame.radiance.size());
-  file.metadata.scene = scene_;
+  file.metadata.framesPerSecond = path.framesPerSecond;
+  file.metadata.camera = path.camera(frame.index, frame.radiance.size());
+  file.metadata.scene = scene;
   file.metadata.programVersion = PROMENADE_VERSION;
-  file.metadata.jobHash = jobHash_;
+  file.metadata.jobHash = jobHash;
   file.radiance = std::move(frame.radiance);
   file.depth = std::move(frame.visibility.depth);
   file.normal = std::move(frame.visibility.normal);
   file.item = std::move(frame.visibility.item);
   file.flowToNext = std::move(frame.flowToNext);
   file.source = std::move(frame.source);
-  io::writeFrame(folder_.frame(file.metadata.frame), file);
+  return file;
+}
+
+FrameFiles::FrameFiles(const OutputFolder& folder, const paths::CameraPath& path, std::string scene,
+                       std::string jobHash)
+    : folder_(folder), path_(path), scene_(std::move(scene)), jobHash_(std::move(jobHash)) {}
+
+void FrameFiles::write(walkthrough::FinishedFrame&& frame) {
+  const Stopwatch watch(seconds_);
+  const std::filesystem::path file = folder_.frame(frame.index);
+  io::writeFrame(file, fileOf(std::move(frame), path_, scene_, jobHash_));
 }
 
 void FrameFiles::writeMiddle(const walkthrough::JudgedMiddle& middle) {

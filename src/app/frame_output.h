@@ -5,9 +5,14 @@
 
 #include "paths/camera_path.h"
 #include "src/app/output_folder.h"
+#include "src/io/exr_frame.h"
 #include "src/walkthrough/walkthrough.h"
 
 namespace promenade::app {
+
+/// A frame of `path` as its file holds it. `scene` and `jobHash` go into the metadata.
+[[nodiscard]] io::FrameFile fileOf(walkthrough::FinishedFrame&& frame, const paths::CameraPath& path,
+                                   const std::string& scene, const std::string& jobHash);
 
 class FrameFiles {
  public:

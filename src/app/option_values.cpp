@@ -32,6 +32,7 @@ constexpr std::array kValues = {
     Values{"--frame", "N"},
     Values{"--supersample", "N"},
     Values{"--spp", "auto|N"},
+    Values{"--preview", "SECONDS"},
     Values{"--most-spp", "N"},
     Values{"--converged-spp", "N"},
     Values{"--tolerance", "PERCENT"},

@@ -45,6 +45,7 @@ struct RenderOptions {
   bool resume = false;
   bool overwrite = false;
   bool maps = false;
+  std::string preview;  ///< seconds; empty: the walk
   SceneOptions load;
   std::string command;  ///< the command line itself, for a shell
   /// Every option by its long name without "--", as typed, configured or by default; "true" for flags that

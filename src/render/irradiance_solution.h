@@ -16,7 +16,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "src/core/camera.h"
 #include "src/core/progress.h"
@@ -61,9 +65,6 @@ struct SolutionSettings {
   std::function<void()> checkpoint = {};  ///< as in PathSettings
 };
 
-/// `known`: as for solveLight(). `cameras`: the walk's, at display resolution; the more of them, the less is
-/// left uncovered. The result does not depend on the number of threads. `progress` may be empty. `rays`
-/// counts what was traced. Leaves the tracer with the solution.
 struct LightSolution {
   IrradianceRecords coarse;  ///< for bounces
   IrradianceRecords fine;    ///< for what is seen
@@ -77,8 +78,45 @@ struct LightSolution {
   [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
                                                       const glm::vec3& normal) const;
 };
-[[nodiscard]] std::shared_ptr<const LightSolution> solveIrradiance(
-    PathTracer& tracer, std::span<const Camera> cameras, const SolutionSettings& settings,
-    const std::shared_ptr<const LightSolution>& known, const ProgressCallback& progress);
+
+/// Makes a solution level by level, each with records half as far apart as the one before. The first also
+/// makes the coarse records, the dearest part of a solution of few cameras. The result depends neither on the
+/// number of threads nor on interruptions.
+class IrradianceSolver {
+ public:
+  /// `known`: as for solveLight(). `cameras`: the walk's, at display resolution; the more of them, the less
+  /// is left uncovered. `tracer` and `settings` must outlive this; the tracer gets the solution.
+  IrradianceSolver(PathTracer& tracer, std::span<const Camera> cameras, const SolutionSettings& settings,
+                   const std::shared_ptr<const LightSolution>& known);
+
+  [[nodiscard]] int levelsLeft() const;
+  [[nodiscard]] bool isDone() const { return levelsLeft() == 0; }
+  /// Places the records of the next level, if that is not done yet. Returns the least number of paths that
+  /// gathering their light will take.
+  std::uint64_t place();
+  /// Finishes the next level. `progress` may be empty. If the checkpoint or `progress` throws, the solution
+  /// stays what it was, and a later call makes the whole level.
+  void gather(const ProgressCallback& progress);
+  /// As far as it is known. Records without light may be in it, which are nothing to whoever looks there. For
+  /// the cameras only when it is done (LightSolution::isFor()). Its `rays` are those that were traced here.
+  [[nodiscard]] const LightSolution& solution() const { return solution_; }
+  [[nodiscard]] LightSolution take() && { return std::move(solution_); }
+
+ private:
+  class Gatherer;
+  [[nodiscard]] bool isFirst() const;
+  void placeCoarse();
+  void gatherCoarse(Gatherer& gatherer);
+
+  PathTracer& tracer_;
+  const SolutionSettings& settings_;
+  std::shared_ptr<const LightSolution> known_;
+  LightSolution solution_;
+  std::vector<Camera> added_;
+  std::size_t coarseBefore_ = 0;  ///< records that were known before
+  std::size_t fineBefore_ = 0;    ///< ... before the next level
+  int stride_ = 0;                ///< of the next level, display pixels; 0: there is none
+  bool isPlaced_ = false;         ///< the records of the next level
+};
 
 }  // namespace promenade::render

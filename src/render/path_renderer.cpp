@@ -13,8 +13,8 @@
 #include <string>
 
 #include "src/core/errors.h"
-#include "src/render/irradiance_solution.h"
 #include "src/render/item_traits.h"
+#include "src/render/path_settings.h"
 #include "src/render/path_tracer.h"
 
 namespace promenade::render {
@@ -83,10 +83,6 @@ struct ShadedSample {
   std::uint64_t paths = 0;  ///< traced for it
   bool isClean = true;      ///< more paths would change nothing that a viewer could see
 };
-
-std::uint32_t seedOf(const PathSettings& settings) {
-  return static_cast<std::uint32_t>(settings.seed ^ (settings.seed >> 32));
-}
 
 class PathRenderer final : public Renderer {
  public:
@@ -270,48 +266,11 @@ class PathRenderer final : public Renderer {
   mutable std::atomic<std::uint64_t> visibilityRays_{0}, primaryRays_{0}, scatteredRays_{0}, shadowRays_{0};
 };
 
-void requireSetting(bool good, const std::string& what) {
-  if (!good) throw InputError("path renderer settings", what);
-}
-
-void validate(const PathSettings& settings) {
-  requireSetting(settings.pathsPerSample >= 1,
-                 "pathsPerSample: expected at least 1, found " + std::to_string(settings.pathsPerSample));
-  requireSetting(settings.maxBounces >= 0,
-                 "maxBounces: expected at least 0, found " + std::to_string(settings.maxBounces));
-  requireSetting(settings.threads >= 0,
-                 "threads: expected at least 0, found " + std::to_string(settings.threads));
-  requireSetting(settings.indirectLimit > 0.0f, "indirectLimit: expected more than 0");
-  requireSetting(settings.leastIndirectRoughness >= 0.0f && settings.leastIndirectRoughness <= 1.0f,
-                 "leastIndirectRoughness: expected a number from 0 to 1");
-}
-
 }  // namespace
 
 std::unique_ptr<Renderer> makePathRenderer(const Scene& scene, const PathSettings& settings) {
-  validate(settings);
+  requireGood(settings);
   return std::make_unique<PathRenderer>(scene, settings);
-}
-
-std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSettings& settings,
-                                                std::span<const Camera> cameras,
-                                                const std::shared_ptr<const LightSolution>& known,
-                                                const ProgressCallback& progress) {
-  validate(settings);
-  if (known && std::all_of(cameras.begin(), cameras.end(),
-                           [&](const Camera& camera) { return known->isFor(camera); })) {
-    return known;  // before the scene is built for tracing
-  }
-  PathSettings gathering = settings;
-  gathering.solution = nullptr;
-  // What solid glass casts on matt surfaces would be found by chance only, and show as blotches.
-  gathering.solidGlass = SolidGlass::kStraightAfterScattering;
-  PathTracer tracer(scene, gathering);
-  SolutionSettings solution;
-  solution.seed = seedOf(settings);
-  solution.checkpoint = settings.checkpoint;
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return solveIrradiance(tracer, cameras, solution, known, progress); });
 }
 
 }  // namespace promenade::render

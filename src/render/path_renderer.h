@@ -71,6 +71,33 @@ struct PathSettings {
     const Scene& scene, const PathSettings& settings, std::span<const Camera> cameras,
     const std::shared_ptr<const LightSolution>& known, const ProgressCallback& progress);
 
+/// Makes a light solution level by level, from coarse to fine, for whoever cannot wait for all of it.
+class LightSolver {
+ public:
+  LightSolver() = default;
+  LightSolver(const LightSolver&) = delete;
+  LightSolver& operator=(const LightSolver&) = delete;
+  virtual ~LightSolver() = default;
+
+  /// Every level halves the distance of records on what the cameras see. 0: the solution is that of
+  /// solveLight().
+  [[nodiscard]] virtual int levelsLeft() const = 0;
+  /// Places the records of the next level, unless that is done. Returns how many paths gathering their light
+  /// will take at least.
+  virtual std::uint64_t place() = 0;
+  /// Finishes the next level. `progress` may be empty. If it or the checkpoint throws, what was known stays,
+  /// and a later call makes the whole level.
+  virtual void gather(const ProgressCallback& progress) = 0;
+  /// A copy of what is known, to render with. Until it is done it is not one for these cameras that
+  /// solveLight() would take for whole.
+  [[nodiscard]] virtual std::shared_ptr<const LightSolution> solution() const = 0;
+};
+
+/// As solveLight(). `scene` must outlive the solver.
+[[nodiscard]] std::unique_ptr<LightSolver> makeLightSolver(const Scene& scene, const PathSettings& settings,
+                                                           std::span<const Camera> cameras,
+                                                           const std::shared_ptr<const LightSolution>& known);
+
 /// What a solution holds.
 struct LightSolutionSize {
   std::size_t records = 0;

@@ -13,18 +13,27 @@ LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& sett
   return seenOnDisplay(resolveRadiance(combinedRadiance(samples), settings.supersample), index, settings);
 }
 
-LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& settings,
+LuminanceMap seenOnDisplay(const RadianceMap& picture, int index, const Settings& settings,
                            const Surroundings& surroundings) {
-  const RadianceMap picture = resolveRadiance(combinedRadiance(samples), settings.supersample);
   const FrameTone tone = settings.tone.at(index, settings.display);
   return displayLuminance(encodeForDisplay(picture, tone, surroundings), settings.display);
 }
 
-Surroundings surroundingsOf(const Frame& samples, int index, const Settings& settings) {
+LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& settings,
+                           const Surroundings& surroundings) {
+  return seenOnDisplay(resolveRadiance(combinedRadiance(samples), settings.supersample), index, settings,
+                       surroundings);
+}
+
+Surroundings surroundingsOf(const RadianceMap& picture, int index, const Settings& settings) {
   const FrameTone tone = settings.tone.at(index, settings.display);
   if (!tone.asksForSurroundings()) return {};
-  const RadianceMap picture = resolveRadiance(combinedRadiance(samples), settings.supersample);
   return tone.around({&picture});
+}
+
+Surroundings surroundingsOf(const Frame& samples, int index, const Settings& settings) {
+  if (!settings.tone.at(index, settings.display).asksForSurroundings()) return {};
+  return surroundingsOf(resolveRadiance(combinedRadiance(samples), settings.supersample), index, settings);
 }
 
 }  // namespace promenade::walkthrough

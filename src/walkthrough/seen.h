@@ -16,7 +16,11 @@ namespace promenade::walkthrough {
 [[nodiscard]] LuminanceMap seenOnDisplay(const Frame& samples, int index, const Settings& settings,
                                          const Surroundings& surroundings);
 
-/// Those of the samples' picture.
+[[nodiscard]] LuminanceMap seenOnDisplay(const RadianceMap& picture, int index, const Settings& settings,
+                                         const Surroundings& surroundings);
+
+/// Those of the picture, or of the samples' picture.
+[[nodiscard]] Surroundings surroundingsOf(const RadianceMap& picture, int index, const Settings& settings);
 [[nodiscard]] Surroundings surroundingsOf(const Frame& samples, int index, const Settings& settings);
 
 }  // namespace promenade::walkthrough

@@ -1,0 +1,178 @@
+#include "src/render/record_placer.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "src/core/display.h"
+#include "src/render/path_tracer_internal.h"
+#include "src/render/ray_offset.h"
+
+namespace promenade::render {
+namespace {
+
+/// Mirrors, glass and blended surfaces followed from the eye to what they show.
+constexpr int kMostPassagesOfRecords = 4;
+/// Smoother reflections than this show their surroundings clearly enough to be asked for a solution there.
+constexpr float kMirrorRoughness = 0.3f;
+constexpr int kProbes = 8 * EmbreeScene::kPacket;
+
+/// Matt places that a ray comes to, through glass and by way of mirrors too. `width`: of a display pixel
+/// where the ray begins, growing by `spread` per unit distance.
+void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
+                   std::vector<RecordCandidate>& candidates) {
+  const Surfaces& surfaces = tracer.surfaces();
+  for (int passage = 0; passage <= kMostPassagesOfRecords; ++passage) {
+    const Hit hit = tracer.embree().intersect(ray);
+    if (!hit.found()) return;
+    width += spread * hit.distance;
+    const SurfacePoint point = surfaces.pointAt(hit, ray.direction);
+    const SurfaceLook look = surfaces.lookAt(point, ray.direction, Footprint{});
+    const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
+    const BsdfAlbedo albedo = bsdfAlbedo(look.bsdf, std::max(1e-3f, -glm::dot(look.normal, ray.direction)));
+    if (!look.unlit && look.alpha > 0.0f &&
+        (largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf))) {
+      candidates.push_back({point.position, facing, width});
+    }
+    const bool passes = look.alpha < 1.0f || (look.bsdf.thinWalled && look.bsdf.transmission > 0.5f);
+    const bool mirrors = look.bsdf.roughness < kMirrorRoughness || look.bsdf.clearcoat > 0.0f;
+    if (passes) {
+      ray.origin = offsetRayOrigin(point.position, -facing);
+    } else if (mirrors) {
+      ray.direction -= 2.0f * glm::dot(look.normal, ray.direction) * look.normal;
+      if (glm::dot(ray.direction, facing) <= 0.0f) return;
+      ray.origin = offsetRayOrigin(point.position, facing);
+    } else {
+      return;
+    }
+  }
+}
+
+/// Cosine-distributed rays from a surface element.
+Ray rayFrom(const glm::vec3& position, const Basis& basis, Sampler& sampler) {
+  Ray ray;
+  ray.origin = offsetRayOrigin(position, basis.z);
+  ray.direction = basis.toWorld(sampleCosine(sampler.next2D()));
+  return ray;
+}
+
+Sampler::Stream streamOf(std::uint32_t use, std::uint32_t seed, int paths) {
+  Sampler::Stream stream;
+  stream.frame = use;
+  stream.seed = seed;
+  stream.pathsPerPixel = static_cast<std::uint32_t>(paths);
+  return stream;
+}
+/// As seed of all that is placed.
+constexpr std::uint32_t kPlacing = 0;
+constexpr std::uint32_t kDistances = 0x10000, kBounces = 0x20000;  ///< uses; or a batch
+
+/// Harmonic mean of the distances to what a surface element sees; infinite under the open sky.
+float harmonicMeanDistance(const PathTracer& tracer, const RecordCandidate& place) {
+  const Sampler::Stream stream = streamOf(kDistances, kPlacing, kProbes);
+  const Basis basis(place.normal);
+  float inverse = 0.0f;
+  std::array<Ray, EmbreeScene::kPacket> rays;
+  for (int first = 0; first < kProbes; first += EmbreeScene::kPacket) {
+    for (int i = 0; i < EmbreeScene::kPacket; ++i) {
+      Sampler sampler(stream, static_cast<std::uint32_t>(first + i));
+      rays[static_cast<std::size_t>(i)] = rayFrom(place.position, basis, sampler);
+    }
+    for (const Hit& hit : tracer.embree().intersect(rays, EmbreeScene::kPacket).hits) {
+      if (hit.found()) inverse += 1.0f / std::max(hit.distance, 1e-6f);
+    }
+  }
+  return inverse > 0.0f ? static_cast<float>(kProbes) / inverse : std::numeric_limits<float>::infinity();
+}
+
+constexpr std::uint32_t kRaysPerBounce = 16;
+/// Size of a pixel for what is seen by way of a matt surface only, per unit of distance.
+constexpr float kSpreadOfBounces = 0.01f;
+
+}  // namespace
+
+void RecordPlacer::placeSeen(const Camera& camera, int stride) {
+  const double pixels = std::min(camera.size().width, settings_.mostPixelsAcross);
+  const double step = stride * camera.size().width / pixels;
+  const auto spread = static_cast<float>(camera.size().width / pixels / camera.focalPixels());
+  const int columns = std::max(1, static_cast<int>(camera.size().width / step));
+  const int rows = std::max(1, static_cast<int>(camera.size().height / step));
+  place(static_cast<std::size_t>(rows), [&](std::size_t row, std::vector<RecordCandidate>& candidates) {
+    for (int column = 0; column < columns; ++column) {
+      Ray ray;
+      ray.origin = glm::vec3(camera.pose().eye);
+      ray.direction = glm::normalize(
+          glm::vec3(camera.direction({(column + 0.5) * step, (static_cast<double>(row) + 0.5) * step})));
+      addCandidates(tracer_, ray, 0.0f, spread, candidates);
+    }
+  });
+}
+
+void RecordPlacer::placeBounces(std::size_t first, std::size_t last) {
+  const std::vector<RecordPlace> places = records_.places();
+  place(last - first, [&](std::size_t i, std::vector<RecordCandidate>& candidates) {
+    const RecordPlace& from = places[first + i];
+    const Basis basis(from.normal);
+    const Sampler::Stream stream = streamOf(kBounces, kPlacing, kRaysPerBounce);
+    for (std::uint32_t k = 0; k < kRaysPerBounce; ++k) {
+      Sampler sampler(stream, k);
+      addCandidates(tracer_, rayFrom(from.position, basis, sampler), from.reach / spacing_.leastReachPixels,
+                    kSpreadOfBounces, candidates);
+    }
+  });
+}
+
+std::optional<float> RecordPlacer::wanted(const RecordCandidate& c) const {
+  const IrradianceRecords::Coverage known = records_.coverage(c.position, c.normal);
+  const float most = spacing_.mostReachPixels * c.pixelWidth;
+  if (!known.covered) return most;
+  if (known.coveredNew) return std::nullopt;
+  // A walk comes nearer to what was first seen from afar.
+  if (known.finestReach > 2.0f * most) return most;
+  const float half = 0.5f * known.finestReach;
+  if (half < spacing_.leastReachPixels * c.pixelWidth) return std::nullopt;
+  if (known.most - known.least <= settings_.disagreement * std::max(known.most, darkness_)) {
+    return std::nullopt;
+  }
+  return half;
+}
+
+void RecordPlacer::place(std::size_t count, const Find& find) {
+  darkness_ = settings_.darkness * meanLuminance();
+  std::vector<std::vector<Open>> open(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    if (settings_.checkpoint) settings_.checkpoint();
+    std::vector<RecordCandidate> candidates;
+    find(i, candidates);
+    for (const RecordCandidate& c : candidates) {
+      const std::optional<float> most = wanted(c);
+      if (!most) continue;
+      const float surroundings = spacing_.reachOfSurroundings * harmonicMeanDistance(tracer_, c);
+      const float least = std::min(spacing_.leastReachPixels * c.pixelWidth, *most);
+      open[i].push_back({c, std::clamp(surroundings, least, *most)});
+    }
+  });
+  for (const auto& group : open) {
+    for (const Open& o : group) {
+      // Its neighbours may have come to cover it since.
+      const std::optional<float> most = wanted(o.place);
+      if (!most) continue;
+      const float least = std::min(spacing_.leastReachPixels * o.place.pixelWidth, *most);
+      const float reach =
+          records_.clampedReach(o.place.position, std::min(o.mostReach, *most), spacing_.reachOfSurroundings);
+      records_.place({o.place.position, o.place.normal, std::max(least, reach)});
+    }
+  }
+}
+
+float RecordPlacer::meanLuminance() const {
+  if (records_.light().empty()) return 0.0f;
+  double sum = 0.0;
+  for (const SurfaceLight& light : records_.light()) sum += luminance(light.radiance);
+  return static_cast<float>(sum / static_cast<double>(records_.light().size()));
+}
+
+}  // namespace promenade::render

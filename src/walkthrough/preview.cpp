@@ -1,0 +1,240 @@
+#include "src/walkthrough/preview.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "src/walkthrough/seen.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+/// Work is expected to take so many times as long as it did before.
+constexpr double kMargin = 1.1;
+constexpr int kMostPaths = 1 << 20;
+
+/// A picture by computed light, with the renderer that makes it.
+struct LitPicture {
+  LitPicture(std::unique_ptr<const Renderer> lit, const Camera& camera, const Settings& settings,
+             const Clock& clock)
+      : renderer(std::move(lit)), picture(*renderer, camera, settings, clock) {}
+
+  std::unique_ptr<const Renderer> renderer;
+  ProgressivePicture picture;
+};
+
+class Progression {
+ public:
+  Progression(const Renderer& paths, const MakeSteppedLight& makeLight, const Camera& camera,
+              const Settings& settings, const PreviewRule& rule, const Clock& clock)
+      : makeLight_(makeLight),
+        camera_(camera),
+        settings_(settings),
+        rule_(rule),
+        clock_(clock),
+        traced_(paths, camera, settings, clock) {}
+
+  Preview run() {
+    trace(traced_, 1);
+    traceFor(rule_.switchOver.leastSamplingSeconds);
+    if (makeLight_ && left() > 0.0) switchOver();
+    while (goOn()) {
+    }
+    return result();
+  }
+
+ private:
+  [[nodiscard]] double left() const { return (rule_.budgetSeconds - clock_()) / kMargin; }
+  [[nodiscard]] const ProgressivePicture& best() const { return lit_ ? lit_->picture : traced_; }
+  [[nodiscard]] ProgressivePicture& best() { return lit_ ? lit_->picture : traced_; }
+
+  /// A viewer would not see the noise; asked at every doubling once it can be so.
+  [[nodiscard]] bool isDone(const ProgressivePicture& picture) const {
+    const int paths = picture.paths();
+    if (picture.isClean() || paths >= kMostPaths) return true;
+    if (paths < StoppingRule{}.firstPaths || !std::has_single_bit(static_cast<unsigned>(paths))) return false;
+    return picture.predictedPercent().value_or(100.0) <= rule_.tolerancePercent;
+  }
+
+  /// Until path tracing has had so many seconds, is done, or no pass fits.
+  void traceFor(double seconds) {
+    while (!isDone(traced_)) {
+      const int count = traced_.affordable(std::min(seconds - traced_.seconds(), left()), kMostPaths);
+      if (count == 0) return;
+      trace(traced_, count);
+    }
+  }
+
+  void trace(ProgressivePicture& picture, int count) const {
+    picture.trace(count);
+    if (!rule_.progress) return;
+    const auto whole = [](double seconds) {
+      return static_cast<std::uint64_t>(std::lround(std::max(0.0, seconds)));
+    };
+    const std::uint64_t total = whole(rule_.budgetSeconds);
+    rule_.progress({"seconds of the preview", std::min(whole(clock_()), total), total});
+  }
+
+  // Stage 1 to its end, and the first level if it can be there in time.
+  void switchOver() {
+    light_ = makeLight_();
+    const std::optional<std::uint64_t> paths = placed();
+    if (!paths) return;
+    // The paths that were traced are the pilots.
+    const int samples = settings_.supersample * settings_.supersample;
+    const double secondsOfPath =
+        traced_.secondsFor(1) / (static_cast<double>(settings_.size.area()) * samples);
+    const double firstPicture = secondsOfPath * static_cast<double>(*paths) + traced_.secondsFor(1);
+    const double sampling = rule_.switchOver.samplingSeconds(firstPicture);
+    traceFor(sampling);
+    if (traced_.paths() < 2 && traced_.affordable(left(), 1) == 1) trace(traced_, 1);
+    const std::optional<double> error = traced_.error();
+    if (!error || isDone(traced_)) return;
+    // Not so late that nothing comes of it.
+    traceFor(std::min(rule_.switchOver.seconds(sampling, *error, firstPicture),
+                      traced_.seconds() + left() - firstPicture));
+    if (firstPicture > left()) return;
+    switchedSeconds_ = clock_();
+    computeLevel();
+  }
+
+  /// One more thing for the picture; false: there is nothing that fits.
+  [[nodiscard]] bool goOn() {
+    const bool done = isDone(best());
+    // While there is noise a level may take half of what is left: what the other half can do about it is then
+    // at most a factor of two in time from the best. The picture is made anew by the new light.
+    const double most = done ? left() - kMargin * best().seconds() : 0.5 * left();
+    if (switchedSeconds_ && secondsOfLevel() <= most) {
+      computeLevel();
+      return true;
+    }
+    const int count = done ? 0 : best().affordable(left(), kMostPaths);
+    if (count > 0) trace(best(), count);
+    return count > 0;
+  }
+
+  /// Paths of the next level; nothing if there is none, or none in time.
+  [[nodiscard]] std::optional<std::uint64_t> placed() {
+    if (!placed_ && !isLightOver_) {
+      inTime([&](const SteppedLight::Checkpoint& checkpoint) {
+        placed_ = light_->levelsLeft() > 0 ? light_->place(checkpoint) : 0;
+      });
+    }
+    return placed_;
+  }
+
+  [[nodiscard]] double secondsOfLevel() {
+    if (light_->levelsLeft() == 0) return kForever;
+    const std::optional<std::uint64_t> paths = placed();
+    return paths ? secondsOfGatheredPath_ * static_cast<double>(*paths) : kForever;
+  }
+
+  // The next level, if it ends in time, and a picture by it. Light that was whole from the beginning is one.
+  void computeLevel() {
+    const double start = clock_();
+    if (light_->levelsLeft() > 0) {
+      inTime([&](const SteppedLight::Checkpoint& checkpoint) { light_->gather(checkpoint); });
+      if (isLightOver_) return;
+      ++levels_;
+    }
+    const auto paths = static_cast<double>(std::max<std::uint64_t>(placed_.value_or(0), 1));
+    secondsOfGatheredPath_ = (clock_() - start) / paths;
+    placed_.reset();
+    renew();
+  }
+
+  /// Light that is late is given up.
+  template <class Work>
+  void inTime(const Work& work) {
+    // Leaves time for a picture.
+    const double end =
+        rule_.budgetSeconds - kMargin * (lit_ ? lit_->picture.seconds() : traced_.secondsFor(1));
+    try {
+      work([this, end] {
+        if (clock_() > end) throw OutOfTime();
+      });
+    } catch (const OutOfTime&) {
+      isLightOver_ = true;
+      placed_.reset();
+    }
+  }
+
+  // A picture by the light that is known now, with as many paths as the one before, if it is better.
+  void renew() {
+    auto next = std::make_unique<LitPicture>(light_->renderer(), camera_, settings_, clock_);
+    ProgressivePicture& picture = next->picture;
+    trace(picture, 1);
+    const int wanted = lit_ ? lit_->picture.paths() : 1;
+    while (picture.paths() < wanted && !picture.isClean()) {
+      const int count = picture.affordable(left(), wanted - picture.paths());
+      if (count == 0) break;
+      trace(picture, count);
+    }
+    const double before =
+        lit_ ? distanceFromTraced(lit_->picture) : std::numbers::sqrt2 * traced_.error().value_or(0.0);
+    if (!(distanceFromTraced(picture) < before)) return;
+    lit_ = std::move(next);
+    litStage_ = levels_ == 1 ? PreviewStage::kComputed : PreviewStage::kContinued;
+    levelsLeft_ = light_->levelsLeft();
+  }
+
+  [[nodiscard]] double distanceFromTraced(const ProgressivePicture& picture) const {
+    const RadianceMap reference = traced_.picture();
+    const int index = settings_.frames.first;
+    const Surroundings surroundings = surroundingsOf(reference, index, settings_);
+    return rmsContrast(seenOnDisplay(picture.picture(), index, settings_, surroundings),
+                       seenOnDisplay(reference, index, settings_, surroundings));
+  }
+
+  /// |S - I_C| by |S - P|, at least the noise that S knows of.
+  [[nodiscard]] std::optional<double> errorOfBest() const {
+    const std::optional<double> noise = best().error();
+    if (!lit_) return noise;
+    const double traced = traced_.error().value_or(0.0);
+    const double distance = distanceFromTraced(lit_->picture);
+    return std::max(noise.value_or(0.0), std::sqrt(std::max(0.0, distance * distance - traced * traced)));
+  }
+
+  [[nodiscard]] Preview result() {
+    Preview made;
+    made.stage = lit_ ? litStage_ : PreviewStage::kStochastic;
+    made.paths = best().paths();
+    made.levelsLeft = levelsLeft_;
+    made.error = errorOfBest();
+    made.predictedPercent = best().isClean() ? 0.0 : best().predictedPercent();
+    made.switchedSeconds = switchedSeconds_;
+    made.stochasticSeconds = traced_.seconds();
+    made.seconds = clock_();
+    made.frame = best().take();
+    return made;
+  }
+
+  const MakeSteppedLight& makeLight_;
+  std::unique_ptr<SteppedLight> light_;  ///< null: it was not asked for yet
+  const Camera& camera_;
+  const Settings& settings_;
+  const PreviewRule& rule_;
+  const Clock& clock_;
+  ProgressivePicture traced_;
+  std::unique_ptr<LitPicture> lit_;  ///< null: the traced one is the best
+  PreviewStage litStage_ = PreviewStage::kComputed;
+  int levels_ = 0;      ///< that were computed
+  int levelsLeft_ = 0;  ///< when the best picture was begun
+  bool isLightOver_ = false;
+  std::optional<std::uint64_t> placed_;  ///< paths of the next level
+  double secondsOfGatheredPath_ = 0.0;
+  std::optional<double> switchedSeconds_;
+};
+
+}  // namespace
+
+Preview preview(const Renderer& paths, const MakeSteppedLight& makeLight, const Camera& camera,
+                const Settings& settings, const PreviewRule& rule, const Clock& clock) {
+  return Progression(paths, makeLight, camera, settings, rule, clock).run();
+}
+
+}  // namespace promenade::walkthrough
