@@ -69,9 +69,9 @@ class SolverLight final : public walkthrough::SteppedLight {
     checkpoint_ = checkpoint;
     return solver_->place();
   }
-  void gather(const Checkpoint& checkpoint) override {
+  void gather(const Checkpoint& checkpoint, const MayTrace& mayTrace) override {
     checkpoint_ = checkpoint;
-    solver_->gather({});
+    solver_->gather({}, mayTrace);
   }
   [[nodiscard]] std::unique_ptr<const Renderer> renderer() const override {
     render::PathSettings lit = settings_;
@@ -115,7 +115,10 @@ std::string summaryOf(const Preview& preview) {
   std::snprintf(line, sizeof(line), "; paths a sample: %d", preview.paths);
   text += line;
   if (preview.error) {
-    std::snprintf(line, sizeof(line), "; error about %.1f%%", 100.0 * *preview.error);
+    std::snprintf(
+        line, sizeof(line),
+        preview.stage == PreviewStage::kStochastic ? "; error about %.0f%%" : "; error at most about %.0f%%",
+        100.0 * *preview.error);
     text += line;
   }
   if (preview.predictedPercent) {

@@ -42,6 +42,10 @@ double meanRelativeError(const std::vector<SurfaceLight>& light, std::size_t fir
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
+std::uint64_t pathsOf(std::size_t records, int each) {
+  return static_cast<std::uint64_t>(records) * static_cast<std::uint64_t>(each);
+}
+
 std::uint64_t fingerprint(const Camera& camera) {
   const Pose& pose = camera.pose();
   std::vector<double> values = {camera.verticalFieldOfView(), static_cast<double>(camera.size().width),
@@ -179,7 +183,7 @@ void IrradianceSolver::placeCoarse() {
   }
 }
 
-void IrradianceSolver::gatherCoarse(Gatherer& gatherer) {
+void IrradianceSolver::gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace) {
   IrradianceRecords& records = solution_.coarse;
   if (known_) {
     use(tracer_, known_->coarse);
@@ -191,7 +195,10 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer) {
     if (pass > 0) use(tracer_, records);
     gatherer.gather(records, coarseBefore_, gatherer.coarse());
   }
-  if (meanRelativeError(records.light(), coarseBefore_) > settings_.noisy) {
+  isNoisy_ = meanRelativeError(records.light(), coarseBefore_) > settings_.noisy;
+  const std::uint64_t more =
+      kNoisyPasses * pathsOf(records.places().size() - coarseBefore_, settings_.noisyCoarsePaths);
+  if (isNoisy_ && (!mayTrace || mayTrace(more))) {
     // Few paths bring most of the light. Where it comes from is known well enough now; how much it is, only
     // when the records that send it are clean.
     for (int pass = 0; pass < kNoisyPasses; ++pass) {
@@ -199,6 +206,7 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer) {
       tracer_.setBright(tracer_.findBright());
       gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse());
     }
+    isNoisy_ = false;
   }
   use(tracer_, records);
 }
@@ -211,27 +219,24 @@ std::uint64_t IrradianceSolver::place() {
     for (const Camera& camera : added_) placer.placeSeen(camera, stride_);
     isPlaced_ = true;
   }
-  const auto paths = [](std::size_t records, int each) {
-    return static_cast<std::uint64_t>(records) * static_cast<std::uint64_t>(each);
-  };
   const std::uint64_t fine =
-      paths(solution_.fine.places().size() - fineBefore_, settings_.leastBatches * settings_.pathsPerBatch);
+      pathsOf(solution_.fine.places().size() - fineBefore_, settings_.leastBatches * settings_.pathsPerBatch);
   if (!isFirst()) return fine;
   return fine +
-         kCoarsePasses * paths(solution_.coarse.places().size() - coarseBefore_, settings_.coarsePaths);
+         kCoarsePasses * pathsOf(solution_.coarse.places().size() - coarseBefore_, settings_.coarsePaths);
 }
 
-void IrradianceSolver::gather(const ProgressCallback& progress) {
+void IrradianceSolver::gather(const ProgressCallback& progress, const MayTrace& mayTrace) {
   (void)place();
   Gatherer gatherer(tracer_, settings_, progress);
-  if (isFirst()) gatherCoarse(gatherer);
+  if (isFirst()) gatherCoarse(gatherer, mayTrace);
   gatherer.gather(solution_.fine, fineBefore_, gatherer.fine());
   solution_.rays.scattered += gatherer.rays().scattered;
   solution_.rays.shadow += gatherer.rays().shadow;
   fineBefore_ = solution_.fine.places().size();
   isPlaced_ = false;
   stride_ = stride_ > kFinestStride ? stride_ / 2 : 0;
-  if (isDone()) {
+  if (isDone() && !isNoisy_) {
     for (const Camera& camera : added_) solution_.cameras.push_back(fingerprint(camera));
   }
 }

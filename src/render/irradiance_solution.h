@@ -94,9 +94,9 @@ class IrradianceSolver {
   /// Places the records of the next level, if that is not done yet. Returns the least number of paths that
   /// gathering their light will take.
   std::uint64_t place();
-  /// Finishes the next level. `progress` may be empty. If the checkpoint or `progress` throws, the solution
-  /// stays what it was, and a later call makes the whole level.
-  void gather(const ProgressCallback& progress);
+  /// Finishes the next level. `progress` and `mayTrace` may be empty (path_renderer.h). If the checkpoint or
+  /// `progress` throws, the solution stays what it was, and a later call makes the whole level.
+  void gather(const ProgressCallback& progress, const MayTrace& mayTrace);
   /// As far as it is known. Records without light may be in it, which are nothing to whoever looks there. For
   /// the cameras only when it is done (LightSolution::isFor()). Its `rays` are those that were traced here.
   [[nodiscard]] const LightSolution& solution() const { return solution_; }
@@ -106,7 +106,7 @@ class IrradianceSolver {
   class Gatherer;
   [[nodiscard]] bool isFirst() const;
   void placeCoarse();
-  void gatherCoarse(Gatherer& gatherer);
+  void gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace);
 
   PathTracer& tracer_;
   const SolutionSettings& settings_;
@@ -117,6 +117,7 @@ class IrradianceSolver {
   std::size_t fineBefore_ = 0;    ///< ... before the next level
   int stride_ = 0;                ///< of the next level, display pixels; 0: there is none
   bool isPlaced_ = false;         ///< the records of the next level
+  bool isNoisy_ = false;          ///< the coarse records stayed noisier than they should be
 };
 
 }  // namespace promenade::render

@@ -24,8 +24,8 @@ class SteppedLightSolver final : public LightSolver {
   std::uint64_t place() override {
     return arena_.execute([&] { return solver_.place(); });
   }
-  void gather(const ProgressCallback& progress) override {
-    arena_.execute([&] { solver_.gather(progress); });
+  void gather(const ProgressCallback& progress, const MayTrace& mayTrace) override {
+    arena_.execute([&] { solver_.gather(progress, mayTrace); });
   }
   [[nodiscard]] std::shared_ptr<const LightSolution> solution() const override {
     return std::make_shared<const LightSolution>(solver_.solution());
@@ -73,7 +73,7 @@ std::shared_ptr<const LightSolution> solveLight(const Scene& scene, const PathSe
     return known;  // before the scene is built for tracing
   }
   SteppedLightSolver solver(scene, settings, cameras, known);
-  while (solver.levelsLeft() > 0) solver.gather(progress);
+  while (solver.levelsLeft() > 0) solver.gather(progress, {});
   return std::move(solver).take();
 }
 

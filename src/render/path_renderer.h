@@ -71,6 +71,10 @@ struct PathSettings {
     const Scene& scene, const PathSettings& settings, std::span<const Camera> cameras,
     const std::shared_ptr<const LightSolution>& known, const ProgressCallback& progress);
 
+/// May so many paths be traced besides those that were announced? Asked where light turns out to be noisy (a
+/// room that is lit by way of a small bright patch); if not, it stays so.
+using MayTrace = std::function<bool(std::uint64_t paths)>;
+
 /// Makes a light solution level by level, from coarse to fine, for whoever cannot wait for all of it.
 class LightSolver {
  public:
@@ -80,14 +84,14 @@ class LightSolver {
   virtual ~LightSolver() = default;
 
   /// Every level halves the distance of records on what the cameras see. 0: the solution is that of
-  /// solveLight().
+  /// solveLight(), unless paths were refused.
   [[nodiscard]] virtual int levelsLeft() const = 0;
   /// Places the records of the next level, unless that is done. Returns how many paths gathering their light
   /// will take at least.
   virtual std::uint64_t place() = 0;
-  /// Finishes the next level. `progress` may be empty. If it or the checkpoint throws, what was known stays,
-  /// and a later call makes the whole level.
-  virtual void gather(const ProgressCallback& progress) = 0;
+  /// Finishes the next level. `progress` and `mayTrace` may be empty: nothing is refused then. If one of them
+  /// or the checkpoint throws, what was known stays, and a later call makes the whole level.
+  virtual void gather(const ProgressCallback& progress, const MayTrace& mayTrace) = 0;
   /// A copy of what is known, to render with. Until it is done it is not one for these cameras that
   /// solveLight() would take for whole.
   [[nodiscard]] virtual std::shared_ptr<const LightSolution> solution() const = 0;

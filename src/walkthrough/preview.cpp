@@ -4,10 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "src/walkthrough/seen.h"
+#include "src/core/display.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -16,6 +15,11 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 /// Work is expected to take so many times as long as it did before.
 constexpr double kMargin = 1.1;
 constexpr int kMostPaths = 1 << 20;
+/// Errors of what is darker than this share of the mean are measured against it instead.
+constexpr double kDarkness = 0.1;
+/// Of the time that is left, what a further level of the light may take while the picture has noise of its
+/// own. What the other half can do about that is at most a factor of two in time from the best.
+constexpr double kShareOfLight = 0.5;
 
 /// A picture by computed light, with the renderer that makes it.
 struct LitPicture {
@@ -26,6 +30,45 @@ struct LitPicture {
   std::unique_ptr<const Renderer> renderer;
   ProgressivePicture picture;
 };
+
+/// Mean squares of relative errors of luminance.
+struct SquaredErrors {
+  double computed = 0.0;   ///< of S, unbiased: it may be below 0
+  double deviation = 0.0;  ///< its standard error
+  double traced = 0.0;     ///< of P
+
+  [[nodiscard]] bool computedIsLess() const { return computed < traced; }
+  [[nodiscard]] double mostOfComputed() const { return std::sqrt(std::max(0.0, computed) + 2.0 * deviation); }
+};
+
+/// preview.h; P has two paths at least.
+SquaredErrors errorsBeside(const ProgressivePicture& traced, const RadianceMap& computed) {
+  const RadianceMap whole = traced.picture();
+  const ProgressivePicture::Parts parts = traced.parts();
+  const auto pixels = computed.pixels();
+  double mean = 0.0;
+  for (const Rgb& pixel : pixels) mean += luminance(pixel);
+  const auto count = static_cast<double>(pixels.size());
+  const double darkness = std::max(kDarkness * mean / count, 1e-30);
+  double products = 0.0;
+  double squaredProducts = 0.0;
+  double distances = 0.0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double s = luminance(pixels[i]);
+    const double unit = std::max(s, darkness);
+    const double product =
+        (s - luminance(parts.earlier.pixels()[i])) * (s - luminance(parts.later.pixels()[i])) / (unit * unit);
+    const double distance = (s - luminance(whole.pixels()[i])) / unit;
+    products += product;
+    squaredProducts += product * product;
+    distances += distance * distance;
+  }
+  SquaredErrors errors;
+  errors.computed = products / count;
+  errors.deviation = std::sqrt(squaredProducts) / count;
+  errors.traced = distances / count - errors.computed;
+  return errors;
+}
 
 class Progression {
  public:
@@ -86,9 +129,8 @@ class Progression {
     if (!paths) return;
     // The paths that were traced are the pilots.
     const int samples = settings_.supersample * settings_.supersample;
-    const double secondsOfPath =
-        traced_.secondsFor(1) / (static_cast<double>(settings_.size.area()) * samples);
-    const double firstPicture = secondsOfPath * static_cast<double>(*paths) + traced_.secondsFor(1);
+    secondsOfPath_ = traced_.secondsFor(1) / (static_cast<double>(settings_.size.area()) * samples);
+    const double firstPicture = secondsOfPath_ * static_cast<double>(*paths) + traced_.secondsFor(1);
     const double sampling = rule_.switchOver.samplingSeconds(firstPicture);
     traceFor(sampling);
     if (traced_.paths() < 2 && traced_.affordable(left(), 1) == 1) trace(traced_, 1);
@@ -105,9 +147,8 @@ class Progression {
   /// One more thing for the picture; false: there is nothing that fits.
   [[nodiscard]] bool goOn() {
     const bool done = isDone(best());
-    // While there is noise a level may take half of what is left: what the other half can do about it is then
-    // at most a factor of two in time from the best. The picture is made anew by the new light.
-    const double most = done ? left() - kMargin * best().seconds() : 0.5 * left();
+    // The picture is made anew by the new light.
+    const double most = done ? left() - kMargin * best().seconds() : kShareOfLight * left();
     if (switchedSeconds_ && secondsOfLevel() <= most) {
       computeLevel();
       return true;
@@ -137,12 +178,17 @@ class Progression {
   void computeLevel() {
     const double start = clock_();
     if (light_->levelsLeft() > 0) {
-      inTime([&](const SteppedLight::Checkpoint& checkpoint) { light_->gather(checkpoint); });
+      std::uint64_t paths = placed_.value_or(0);
+      const auto mayTrace = [&](std::uint64_t more) {
+        if (secondsOfPath_ * static_cast<double>(more) > kShareOfLight * left()) return false;
+        paths += more;
+        return true;
+      };
+      inTime([&](const SteppedLight::Checkpoint& checkpoint) { light_->gather(checkpoint, mayTrace); });
       if (isLightOver_) return;
       ++levels_;
+      secondsOfGatheredPath_ = (clock_() - start) / static_cast<double>(std::max<std::uint64_t>(paths, 1));
     }
-    const auto paths = static_cast<double>(std::max<std::uint64_t>(placed_.value_or(0), 1));
-    secondsOfGatheredPath_ = (clock_() - start) / paths;
     placed_.reset();
     renew();
   }
@@ -174,29 +220,19 @@ class Progression {
       if (count == 0) break;
       trace(picture, count);
     }
-    const double before =
-        lit_ ? distanceFromTraced(lit_->picture) : std::numbers::sqrt2 * traced_.error().value_or(0.0);
-    if (!(distanceFromTraced(picture) < before)) return;
+    // A finer level is better by as many paths; the first has to be better than paths alone.
+    const bool isBetter = lit_ ? picture.paths() >= wanted || picture.isClean()
+                               : errorsBeside(traced_, picture.picture()).computedIsLess();
+    if (!isBetter) return;
     lit_ = std::move(next);
     litStage_ = levels_ == 1 ? PreviewStage::kComputed : PreviewStage::kContinued;
     levelsLeft_ = light_->levelsLeft();
   }
 
-  [[nodiscard]] double distanceFromTraced(const ProgressivePicture& picture) const {
-    const RadianceMap reference = traced_.picture();
-    const int index = settings_.frames.first;
-    const Surroundings surroundings = surroundingsOf(reference, index, settings_);
-    return rmsContrast(seenOnDisplay(picture.picture(), index, settings_, surroundings),
-                       seenOnDisplay(reference, index, settings_, surroundings));
-  }
-
-  /// |S - I_C| by |S - P|, at least the noise that S knows of.
   [[nodiscard]] std::optional<double> errorOfBest() const {
     const std::optional<double> noise = best().error();
     if (!lit_) return noise;
-    const double traced = traced_.error().value_or(0.0);
-    const double distance = distanceFromTraced(lit_->picture);
-    return std::max(noise.value_or(0.0), std::sqrt(std::max(0.0, distance * distance - traced * traced)));
+    return std::max(noise.value_or(0.0), errorsBeside(traced_, lit_->picture.picture()).mostOfComputed());
   }
 
   [[nodiscard]] Preview result() {
@@ -226,7 +262,8 @@ class Progression {
   int levelsLeft_ = 0;  ///< when the best picture was begun
   bool isLightOver_ = false;
   std::optional<std::uint64_t> placed_;  ///< paths of the next level
-  double secondsOfGatheredPath_ = 0.0;
+  double secondsOfPath_ = 0.0;           ///< that was traced
+  double secondsOfGatheredPath_ = 0.0;   ///< of the last level
   std::optional<double> switchedSeconds_;
 };
 

@@ -6,9 +6,10 @@
 //
 // When to go on is decided by the published heuristic (switch_over.h). What comes is taken only if it is
 // nearer to the converged picture I_C than what is there. I_C is not known, but the path-traced picture P is
-// unbiased and its error E is known: a picture S that is made of other random numbers has
-// |S - P|^2 = |S - I_C|^2 + E^2 on average, with the root of the mean square of contrasts as |.|. So S is
-// better where |S - P|^2 < 2 E^2, whether what is wrong with it is noise or bias.
+// unbiased, and its first and later paths, A and B, are independent of each other and of a picture S by
+// computed light. So on average (S - A)(S - B) = (S - I_C)^2, whether what is wrong with S is noise or bias,
+// and (S - P)^2 = (S - I_C)^2 + (P - I_C)^2. Means over the pixels, of luminance relative to S. (On the
+// display such means would not be true of very noisy pictures, of which it shows the brightest dots cut off.)
 
 #include <cstdint>
 #include <memory>
@@ -27,6 +28,8 @@ class SteppedLight {
  public:
   /// Called now and then from any thread; may throw OutOfTime.
   using Checkpoint = std::function<void()>;
+  /// May so many paths be traced besides those that were announced?
+  using MayTrace = std::function<bool(std::uint64_t paths)>;
 
   SteppedLight() = default;
   SteppedLight(const SteppedLight&) = delete;
@@ -36,8 +39,9 @@ class SteppedLight {
   [[nodiscard]] virtual int levelsLeft() const = 0;
   /// Prepares the next level. Returns how many paths computing it will take at least.
   virtual std::uint64_t place(const Checkpoint& checkpoint) = 0;
-  /// Computes the next level. If the checkpoint throws, what was there before stays.
-  virtual void gather(const Checkpoint& checkpoint) = 0;
+  /// Computes the next level, as well as the paths it may trace allow. If the checkpoint throws, what was
+  /// there before stays.
+  virtual void gather(const Checkpoint& checkpoint, const MayTrace& mayTrace) = 0;
   /// Shades with what is known.
   [[nodiscard]] virtual std::unique_ptr<const Renderer> renderer() const = 0;
 };
@@ -64,7 +68,8 @@ struct Preview {
   PreviewStage stage = PreviewStage::kStochastic;
   int paths = 0;       ///< of each sample that needs any
   int levelsLeft = 0;  ///< of the light solution that the picture is made of
-  /// Of the picture, RMS contrast on the display; nothing if it is not known (a single path).
+  /// RMS. Stage 1: about so much, as ProgressivePicture::error(). Later: hardly more than this, two standard
+  /// errors above what path tracing can tell. Nothing if it is not known (a single path).
   std::optional<double> error;
   /// Per cent of the pixels that would differ visibly between two pictures with as much noise.
   std::optional<double> predictedPercent;

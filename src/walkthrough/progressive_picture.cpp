@@ -60,6 +60,18 @@ RadianceMap ProgressivePicture::picture() const {
   return resolveRadiance(combinedRadiance(frame_), settings_.supersample);
 }
 
+ProgressivePicture::Parts ProgressivePicture::parts() const {
+  assert(pathsBefore_ > 0);
+  Parts parts{before_.clone(), picture()};
+  const auto all = static_cast<float>(paths_);
+  const auto before = static_cast<float>(pathsBefore_);
+  for (std::size_t i = 0; i < parts.later.pixels().size(); ++i) {
+    Rgb& value = parts.later.pixels()[i];
+    value = (all * value - before * parts.earlier.pixels()[i]) / (all - before);
+  }
+  return parts;
+}
+
 ProgressivePicture::Seen ProgressivePicture::seen() const {
   const RadianceMap now = picture();
   const int index = settings_.frames.first;

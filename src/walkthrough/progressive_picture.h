@@ -40,10 +40,17 @@ class ProgressivePicture {
   /// Resolved to settings.size.
   [[nodiscard]] RadianceMap picture() const;
 
+  /// Pictures of the first M paths and of all later ones, M being the last power of two before paths(), of
+  /// which there are two at least.
+  struct Parts {
+    RadianceMap earlier, later;
+  };
+  [[nodiscard]] Parts parts() const;
+
   /// Standard deviation of the picture from what it converges to, as rmsContrast(); nothing before there are
-  /// two paths. The picture is compared with itself after M of its N paths, M being the last power of two
-  /// before N. Their difference has the variance s^2 (1/M - 1/N), if s^2 is that of a single path, and the
-  /// picture s^2 / N: M / (N - M) times as much, which is 1 after half of the paths (stopping.h).
+  /// two paths. The picture is compared with itself after M of its N paths (parts()). Their difference has
+  /// the variance s^2 (1/M - 1/N), if s^2 is that of a single path, and the picture s^2 / N: M / (N - M)
+  /// times as much, which is 1 after half of the paths (stopping.h).
   [[nodiscard]] std::optional<double> error() const;
   /// Per cent of pixels that would differ visibly between two such pictures (stopping.h), from the same.
   [[nodiscard]] std::optional<double> predictedPercent() const;

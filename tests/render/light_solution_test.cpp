@@ -315,5 +315,44 @@ TEST(LightSolution, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(LightSolver, LevelByLevelMakesTheSameAsAllAtOnce) {
+  const Scene scene = ballScene();
+  const auto cameras = std::span(kSides).first(1);
+  const auto whole = solveLight(scene, fewPaths(), cameras, nullptr, {});
+  const auto solver = makeLightSolver(scene, fewPaths(), cameras, nullptr);
+  std::size_t records = 0;
+  while (solver->levelsLeft() > 0) {
+    // Not for the camera before it is done.
+    EXPECT_EQ(sizeOf(*solver->solution()).cameras, 0u);
+    EXPECT_GE(solver->place(), solver->place());  // once is enough
+    solver->gather({}, {});
+    EXPECT_GE(sizeOf(*solver->solution()).records, records);
+    records = sizeOf(*solver->solution()).records;
+  }
+  EXPECT_EQ(toBytes(*solver->solution(), "ball"), toBytes(*whole, "ball"));
+  EXPECT_EQ(makeLightSolver(scene, fewPaths(), cameras, whole)->levelsLeft(), 0);
+}
+
+TEST(LightSolver, GoesOnAfterAnInterruptionAsIfThereHadBeenNone) {
+  const Scene scene = ballScene();
+  const auto cameras = std::span(kSides).first(1);
+  struct Enough {};
+  const auto solver = makeLightSolver(scene, fewPaths(), cameras, nullptr);
+  while (solver->levelsLeft() > 0) {
+    const int left = solver->levelsLeft();
+    if (solver->place() > 0) {
+      EXPECT_THROW(solver->gather([](const Progress&) { throw Enough(); }, {}), Enough);
+    }
+    EXPECT_EQ(solver->levelsLeft(), left);
+    // What was placed and has no light is nothing to whoever renders.
+    PathSettings settings = fewPaths();
+    settings.solution = solver->solution();
+    EXPECT_GT(tests::meanRadiance(makePathRenderer(scene, settings)->render(kSides[0], 0)).y, 0.1);
+    solver->gather({}, {});
+  }
+  EXPECT_EQ(toBytes(*solver->solution(), "ball"),
+            toBytes(*solveLight(scene, fewPaths(), cameras, nullptr, {}), "ball"));
+}
+
 }  // namespace
 }  // namespace promenade::render
