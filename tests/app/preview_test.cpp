@@ -11,7 +11,8 @@ namespace promenade::app {
 namespace {
 
 // Before anything is read: there is no such scene.
-void refuse(const std::string& seconds, const std::vector<std::string>& more, const std::string& part) {
+void refusePreview(const std::string& seconds, const std::vector<std::string>& more,
+                   const std::string& part) {
   std::vector<std::string> arguments = {"render",  "no-such-scene.gltf", "--out",
                                         "nowhere", "--preview",          seconds};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -23,20 +24,19 @@ void refuse(const std::string& seconds, const std::vector<std::string>& more, co
 TEST(Preview, AsksForANumberOfSeconds) {
   for (const char* seconds : {"0", "-1", "nan", "inf", "soon", "5s", "1e9"}) {
     SCOPED_TRACE(seconds);
-    refuse(seconds, {}, "--preview: expected");
+    refusePreview(seconds, {}, "--preview: expected");
   }
 }
 
 TEST(Preview, RefusesOptionsOfAWalkAndOfAFixedNumberOfPaths) {
-  using Arguments = std::vector<std::string>;
-  for (const Arguments& more :
-       {Arguments{"--method", "full"}, Arguments{"--spp", "4"}, Arguments{"--tolerance", "5"},
-        Arguments{"--spacing", "8"}, Arguments{"--verify", "0"}, Arguments{"--filter", "temporal"},
-        Arguments{"--filter-radius", "2"}, Arguments{"--video", "a.mp4"}, Arguments{"--maps"},
-        Arguments{"--resume"}, Arguments{"--overwrite"}, Arguments{"--from", "frames"},
-        Arguments{"--renderer", "true {camera} {out}"}}) {
+  using Words = std::vector<std::string>;
+  for (const Words& more :
+       {Words{"--method", "full"}, Words{"--spp", "4"}, Words{"--tolerance", "5"}, Words{"--spacing", "8"},
+        Words{"--verify", "0"}, Words{"--filter", "temporal"}, Words{"--filter-radius", "2"},
+        Words{"--video", "a.mp4"}, Words{"--maps"}, Words{"--resume"}, Words{"--overwrite"},
+        Words{"--from", "frames"}, Words{"--renderer", "true {camera} {out}"}}) {
     SCOPED_TRACE(more.front());
-    refuse("1", more, more.front() + ": not with --preview");
+    refusePreview("1", more, more.front() + ": not with --preview");
   }
 }
 

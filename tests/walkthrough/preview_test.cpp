@@ -14,24 +14,24 @@ namespace {
 using tests::TimedWall;
 using tests::WallLook;
 
-constexpr Size kSize{96, 64};
-constexpr auto kSamples = static_cast<std::uint64_t>(kSize.width) * kSize.height;
-const Camera kCamera(Pose{}, 1.0, kSize);
+constexpr Size kPreviewSize{96, 64};
+constexpr auto kPreviewSamples = static_cast<std::uint64_t>(kPreviewSize.width) * kPreviewSize.height;
+const Camera kPreviewCamera(Pose{}, 1.0, kPreviewSize);
 
-Settings settings() {
+Settings previewSettings() {
   Settings s;
-  s.size = kSize;
+  s.size = kPreviewSize;
   s.supersample = 1;
   return s;
 }
 
-struct Level {
+struct LightLevel {
   double announced = 4.0;  ///< seconds
   double taken = 4.0;
   WallLook look = {.contrast = 0.0, .gain = 1.0, .secondsPerPath = 0.25, .seed = 2};
 };
 
-struct Asked {
+struct AskedOfLight {
   int made = 0;
   int placed = 0;
   int gathered = 0;
@@ -39,7 +39,7 @@ struct Asked {
 
 class ScriptedLight final : public SteppedLight {
  public:
-  ScriptedLight(std::vector<Level> levels, Asked& asked, double& now)
+  ScriptedLight(std::vector<LightLevel> levels, AskedOfLight& asked, double& now)
       : levels_(std::move(levels)), asked_(asked), now_(now) {
     ++asked_.made;
   }
@@ -47,7 +47,7 @@ class ScriptedLight final : public SteppedLight {
   std::uint64_t place(const Checkpoint& checkpoint) override {
     checkpoint();
     ++asked_.placed;
-    return static_cast<std::uint64_t>(levels_[next_].announced * static_cast<double>(kSamples));
+    return static_cast<std::uint64_t>(levels_[next_].announced * static_cast<double>(kPreviewSamples));
   }
   void gather(const Checkpoint& checkpoint, const MayTrace&) override {
     for (int i = 0; i < 1000; ++i) {
@@ -62,20 +62,20 @@ class ScriptedLight final : public SteppedLight {
   }
 
  private:
-  std::vector<Level> levels_;
-  Asked& asked_;
+  std::vector<LightLevel> levels_;
+  AskedOfLight& asked_;
   double& now_;
   std::size_t next_ = 0;
 };
 
-struct Outcome {
+struct Previewed {
   Preview preview;
-  Asked asked;
+  AskedOfLight asked;
   double error = 0.0;  ///< the true one
 };
 
-Outcome run(double budget, double contrast, const std::vector<Level>& levels) {
-  Outcome outcome;
+Previewed previewed(double budget, double contrast, const std::vector<LightLevel>& levels) {
+  Previewed outcome;
   double now = 0.0;
   const TimedWall paths({.contrast = contrast}, now);
   MakeSteppedLight makeLight;
@@ -84,16 +84,16 @@ Outcome run(double budget, double contrast, const std::vector<Level>& levels) {
   }
   PreviewRule rule;
   rule.budgetSeconds = budget;
-  const Settings s = settings();
-  outcome.preview = preview(paths, makeLight, kCamera, s, rule, [&] { return now; });
-  Frame truth = unshaded(paths.visibility(kCamera));
+  const Settings s = previewSettings();
+  outcome.preview = preview(paths, makeLight, kPreviewCamera, s, rule, [&] { return now; });
+  Frame truth = unshaded(paths.visibility(kPreviewCamera));
   for (Rgb& value : truth.diffuse.pixels()) value = Rgb(static_cast<float>(TimedWall::kGrey));
   outcome.error = rmsContrast(seenOnDisplay(outcome.preview.frame, 0, s), seenOnDisplay(truth, 0, s));
   return outcome;
 }
 
 TEST(Preview, OfABudgetForNothingIsOnePathOfEverySample) {
-  const Outcome o = run(0.01, 1.0, {Level{}});
+  const Previewed o = previewed(0.01, 1.0, {LightLevel{}});
   EXPECT_EQ(o.preview.paths, 1);
   EXPECT_EQ(o.preview.stage, PreviewStage::kStochastic);
   EXPECT_DOUBLE_EQ(o.preview.seconds, 1.0);
@@ -104,9 +104,10 @@ TEST(Preview, OfABudgetForNothingIsOnePathOfEverySample) {
 TEST(Preview, KeepsToItsBudget) {
   for (double budget = 1.0; budget < 60.0; budget *= 1.3) {
     SCOPED_TRACE(budget);
-    for (const auto& levels : {std::vector<Level>{}, std::vector<Level>{Level{}, Level{8.0, 8.0}},
-                               std::vector<Level>{Level{4.0, 30.0}}}) {
-      const Outcome o = run(budget, 1.0, levels);
+    for (const auto& levels :
+         {std::vector<LightLevel>{}, std::vector<LightLevel>{LightLevel{}, LightLevel{8.0, 8.0}},
+          std::vector<LightLevel>{LightLevel{4.0, 30.0}}}) {
+      const Previewed o = previewed(budget, 1.0, levels);
       EXPECT_LE(o.preview.seconds, budget + 1e-9);
       EXPECT_GE(o.preview.paths, 1);
     }
@@ -117,13 +118,13 @@ TEST(Preview, SwitchesWhenTheHeuristicSaysSo) {
   // T_i0 = 4 s for the light and 1 s for a picture. T_alpha = max(0.1 * 5, 0.5) = 0.5 s; the first path takes
   // longer and tells nothing of the error, so there are two. A contrast of 1 then leaves an error far above
   // 0.15: at 0.5 s (E / 0.15)^2 > 5 s from E = 0.47 on, so T_1 = T_i0 = 5 s.
-  const Outcome noisy = run(100.0, 1.0, {Level{}});
+  const Previewed noisy = previewed(100.0, 1.0, {LightLevel{}});
   EXPECT_DOUBLE_EQ(noisy.preview.stochasticSeconds, 5.0);
   EXPECT_DOUBLE_EQ(noisy.preview.switchedSeconds.value(), 5.0);
   EXPECT_EQ(noisy.preview.stage, PreviewStage::kComputed);
   EXPECT_EQ(noisy.preview.levelsLeft, 0);
   // With little noise it is 15 per cent before T_alpha.
-  const Outcome quiet = run(100.0, 0.15, {Level{}});
+  const Previewed quiet = previewed(100.0, 0.15, {LightLevel{}});
   EXPECT_DOUBLE_EQ(quiet.preview.switchedSeconds.value(), 2.0);
   EXPECT_EQ(quiet.asked.gathered, 1);
 }
@@ -131,14 +132,14 @@ TEST(Preview, SwitchesWhenTheHeuristicSaysSo) {
 TEST(Preview, DoesNotSwitchSoLateThatNothingComesOfIt) {
   // Of 8 s two are gone when the error is known: (8 - 2) / 1.1 = 5.45 s are left, 5 of them for the light and
   // its picture, and no other path fits before.
-  const Outcome o = run(8.0, 1.0, {Level{}});
+  const Previewed o = previewed(8.0, 1.0, {LightLevel{}});
   EXPECT_DOUBLE_EQ(o.preview.switchedSeconds.value(), 2.0);
   EXPECT_EQ(o.preview.stage, PreviewStage::kComputed);
 }
 
 TEST(Preview, DoesNotBeginLightThatWouldBeLate) {
   // (6 - 2) / 1.1 = 3.6 s are left for the 5 that are needed: three paths instead.
-  const Outcome o = run(6.0, 1.0, {Level{}});
+  const Previewed o = previewed(6.0, 1.0, {LightLevel{}});
   EXPECT_EQ(o.asked.gathered, 0);
   EXPECT_FALSE(o.preview.switchedSeconds);
   EXPECT_EQ(o.preview.stage, PreviewStage::kStochastic);
@@ -146,7 +147,7 @@ TEST(Preview, DoesNotBeginLightThatWouldBeLate) {
 }
 
 TEST(Preview, IsThePathTracedPictureWhereLightTurnsOutToBeLate) {
-  const Outcome o = run(12.0, 1.0, {Level{4.0, 1000.0}});
+  const Previewed o = previewed(12.0, 1.0, {LightLevel{4.0, 1000.0}});
   EXPECT_EQ(o.asked.gathered, 0);
   EXPECT_EQ(o.preview.stage, PreviewStage::kStochastic);
   EXPECT_GE(o.preview.paths, 5);
@@ -155,9 +156,9 @@ TEST(Preview, IsThePathTracedPictureWhereLightTurnsOutToBeLate) {
 
 TEST(Preview, TakesNoLightThatIsFartherFromTheTruthThanPaths) {
   const auto of = [](double gain) {
-    Level level;
+    LightLevel level;
     level.look.gain = gain;
-    return run(40.0, 0.3, {level}).preview;
+    return previewed(40.0, 0.3, {level}).preview;
   };
   // Two paths leave a relative deviation of 0.3 / sqrt(2) = 0.21; a wrong grey's
   // is 1 - 1 / gain.
@@ -169,18 +170,18 @@ TEST(Preview, TakesNoLightThatIsFartherFromTheTruthThanPaths) {
 }
 
 TEST(Preview, TellsHowFarItIsFromTheTruth) {
-  Level wrong;
+  LightLevel wrong;
   wrong.look.gain = 1.1;
-  const Outcome traced = run(20.0, 0.3, {});
+  const Previewed traced = previewed(20.0, 0.3, {});
   EXPECT_NEAR(traced.preview.error.value(), traced.error, 0.15 * traced.error);
   // 1 - 1 / 1.1 = 0.091, known to E_A E_B / sqrt(6144) = 0.2 * 0.2 / 78 in its square: 0.0083 + 2 * 0.0005.
-  const Outcome computed = run(40.0, 0.2, {wrong});
+  const Previewed computed = previewed(40.0, 0.2, {wrong});
   EXPECT_EQ(computed.preview.stage, PreviewStage::kComputed);
   EXPECT_NEAR(computed.preview.error.value(), 0.096, 0.01);
 }
 
 TEST(Preview, GoesOnToTheLastLevelAndEndsWhenNothingIsToBeSeen) {
-  const Outcome o = run(1000.0, 1.0, {Level{}, Level{8.0, 8.0}, Level{16.0, 16.0}});
+  const Previewed o = previewed(1000.0, 1.0, {LightLevel{}, LightLevel{8.0, 8.0}, LightLevel{16.0, 16.0}});
   EXPECT_EQ(o.asked.gathered, 3);
   EXPECT_EQ(o.preview.stage, PreviewStage::kContinued);
   EXPECT_EQ(o.preview.levelsLeft, 0);
@@ -190,24 +191,24 @@ TEST(Preview, GoesOnToTheLastLevelAndEndsWhenNothingIsToBeSeen) {
 }
 
 TEST(Preview, LeavesHalfOfTheTimeToReflectionsThatAreStillNoisy) {
-  Level noisy;
+  LightLevel noisy;
   noisy.look.contrast = 0.5;
-  Level finer = noisy;
+  LightLevel finer = noisy;
   finer.announced = finer.taken = 8.0;
   // After the first level some 9.25 s are gone: of 20 s (20 - 9.25) / 1.1 / 2 = 4.9 s may be spent on the
   // next, of 40 s 14.
-  EXPECT_EQ(run(20.0, 1.0, {noisy, finer}).asked.gathered, 1);
-  EXPECT_EQ(run(40.0, 1.0, {noisy, finer}).asked.gathered, 2);
+  EXPECT_EQ(previewed(20.0, 1.0, {noisy, finer}).asked.gathered, 1);
+  EXPECT_EQ(previewed(40.0, 1.0, {noisy, finer}).asked.gathered, 2);
 }
 
 TEST(Preview, OfALargerBudgetIsNearerToTheConvergedPicture) {
-  Level first;
+  LightLevel first;
   first.look = {.contrast = 0.2, .gain = 1.04, .secondsPerPath = 0.25, .seed = 3};
-  Level second{8.0, 8.0, {.contrast = 0.2, .gain = 1.01, .secondsPerPath = 0.25, .seed = 4}};
+  LightLevel second{8.0, 8.0, {.contrast = 0.2, .gain = 1.01, .secondsPerPath = 0.25, .seed = 4}};
   double before = 10.0;
   for (const double budget : {1.0, 2.5, 5.0, 12.0, 60.0, 600.0}) {
     SCOPED_TRACE(budget);
-    const double error = run(budget, 1.0, {first, second}).error;
+    const double error = previewed(budget, 1.0, {first, second}).error;
     EXPECT_LT(error, before);
     before = error;
   }
@@ -231,9 +232,9 @@ TEST(Preview, UsesLightThatIsWholeFromTheBeginning) {
   const TimedWall paths({.contrast = 1.0}, now);
   PreviewRule rule;
   rule.budgetSeconds = 5.0;
-  const Settings s = settings();
+  const Settings s = previewSettings();
   const Preview p = preview(
-      paths, [&] { return std::make_unique<WholeLight>(now); }, kCamera, s, rule, [&] { return now; });
+      paths, [&] { return std::make_unique<WholeLight>(now); }, kPreviewCamera, s, rule, [&] { return now; });
   EXPECT_EQ(p.stage, PreviewStage::kContinued);
   EXPECT_EQ(p.levelsLeft, 0);
   EXPECT_NEAR(p.seconds, 2.25, 1e-9);  // two paths to judge it by, and its picture

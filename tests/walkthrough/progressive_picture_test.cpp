@@ -11,24 +11,24 @@ namespace {
 using tests::TimedWall;
 using tests::WallLook;
 
-constexpr Size kSize{96, 64};
-const Camera kCamera(Pose{}, 1.0, kSize);
+constexpr Size kPictureSize{96, 64};
+const Camera kPictureCamera(Pose{}, 1.0, kPictureSize);
 
-Settings settings() {
+Settings pictureSettings() {
   Settings s;
-  s.size = kSize;
+  s.size = kPictureSize;
   s.supersample = 1;
   return s;
 }
 
-struct Traced {
-  explicit Traced(const WallLook& look) : wall(look, now) {}
+struct TracedPicture {
+  explicit TracedPicture(const WallLook& look) : wall(look, now) {}
 
   double now = 0.0;
   TimedWall wall;
-  Settings at = settings();
+  Settings at = pictureSettings();
   Clock clock = [this] { return now; };
-  ProgressivePicture picture{wall, kCamera, at, clock};
+  ProgressivePicture picture{wall, kPictureCamera, at, clock};
 };
 
 TEST(RmsContrast, IsTheRelativeDifferenceOfPicturesThatAreNearlyAlike) {
@@ -44,7 +44,7 @@ TEST(RmsContrast, IsTheRelativeDifferenceOfPicturesThatAreNearlyAlike) {
 }
 
 TEST(ProgressivePicture, TakesPowersOfTwoThatDivideItsPaths) {
-  Traced t({.contrast = 0.1});
+  TracedPicture t({.contrast = 0.1});
   const double long_ = 1e9;
   const int all = 1 << 20;
   EXPECT_EQ(t.picture.affordable(long_, all), 1);
@@ -62,7 +62,7 @@ TEST(ProgressivePicture, TakesPowersOfTwoThatDivideItsPaths) {
 }
 
 TEST(ProgressivePicture, KnowsNothingOfItsErrorFromASinglePath) {
-  Traced t({.contrast = 0.1});
+  TracedPicture t({.contrast = 0.1});
   t.picture.trace(1);
   EXPECT_FALSE(t.picture.error());
   EXPECT_FALSE(t.picture.predictedPercent());
@@ -71,11 +71,11 @@ TEST(ProgressivePicture, KnowsNothingOfItsErrorFromASinglePath) {
 TEST(ProgressivePicture, KnowsItsErrorWhereverItStops) {
   // After 1, 2, 3, 4, 6, 8, 12 paths; the truth is the distance to a wall without noise. Two estimates from
   // 6144 pixels differ by 2 per cent; from four paths after eight it is half as sharp.
-  Traced clean({.contrast = 0.0});
+  TracedPicture clean({.contrast = 0.0});
   clean.picture.trace(1);
-  const Settings s = settings();
+  const Settings s = pictureSettings();
   const LuminanceMap truth = seenOnDisplay(clean.picture.picture(), 0, s);
-  Traced t({.contrast = 0.2});
+  TracedPicture t({.contrast = 0.2});
   t.picture.trace(1);
   for (const int count : {1, 1, 1, 2, 2, 4}) {
     t.picture.trace(t.picture.paths() % count == 0 ? count : 1);
@@ -86,7 +86,7 @@ TEST(ProgressivePicture, KnowsItsErrorWhereverItStops) {
 }
 
 TEST(ProgressivePicture, IsCleanWhenNoSampleNeedsMore) {
-  Traced t({.contrast = 0.0});
+  TracedPicture t({.contrast = 0.0});
   EXPECT_FALSE(t.picture.isClean());
   t.picture.trace(1);
   EXPECT_TRUE(t.picture.isClean());
@@ -94,7 +94,7 @@ TEST(ProgressivePicture, IsCleanWhenNoSampleNeedsMore) {
 
 TEST(ProgressivePicture, PredictsThatMuchNoiseIsSeenAndLittleIsNot) {
   for (const auto& [contrast, least, most] : {std::tuple(0.5, 99.0, 100.0), std::tuple(0.001, 0.0, 0.0)}) {
-    Traced t({.contrast = contrast});
+    TracedPicture t({.contrast = contrast});
     for (const int count : {1, 1, 2}) t.picture.trace(count);
     EXPECT_GE(t.picture.predictedPercent().value(), least);
     EXPECT_LE(t.picture.predictedPercent().value(), most);
