@@ -77,12 +77,19 @@ bool isViewDependent(const Material& m, ChannelRanges& ranges) {
   return reflects && roughness < kSmoothDielectric;
 }
 
-/// What is reflected or transmitted by chance is noisy; mirrors and clear panes are not.
-float noiseOf(const Material& m, ChannelRanges& ranges) {
-  const float roughness = m.roughness * ranges.of(m.metallicRoughnessTexture, 1).low;
-  const bool coatIsClear =
-      m.clearcoat > 0.0f && m.clearcoatRoughness * ranges.of(m.clearcoatRoughnessTexture, 1).low < kClear;
-  return roughness < kClear || coatIsClear || m.alphaMode == AlphaMode::kBlend ? 0.0f : kStrongNoise;
+bool texturesShapeReflection(const Material& m) {
+  const bool tintsMetal = m.metallic > 0.0f && m.baseColorTexture;
+  const bool shapesCoat = m.clearcoatTexture || m.clearcoatRoughnessTexture || m.clearcoatNormalTexture;
+  return m.normalTexture || m.metallicRoughnessTexture || m.specularTexture || m.specularColorTexture ||
+         m.transmissionTexture || tintsMetal || (m.clearcoat > 0.0f && shapesCoat);
+}
+
+/// What is reflected or transmitted by chance is noisy; mirrors and clear panes are not. Where textures shape
+/// the reflection, nobody can tell their structure from noise: none is admitted.
+float noiseOf(const Material& m) {
+  const bool coatIsClear = m.clearcoat > 0.0f && m.clearcoatRoughness < kClear;
+  const bool isClear = m.roughness < kClear || coatIsClear || m.alphaMode == AlphaMode::kBlend;
+  return isClear || texturesShapeReflection(m) ? 0.0f : kStrongNoise;
 }
 
 }  // namespace
@@ -92,7 +99,7 @@ std::vector<ItemTraits> itemTraits(const Scene& scene) {
   std::vector<ItemTraits> materials;
   materials.reserve(scene.materials.size());
   for (const Material& material : scene.materials) {
-    materials.push_back({isViewDependent(material, ranges), noiseOf(material, ranges)});
+    materials.push_back({isViewDependent(material, ranges), noiseOf(material)});
   }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());

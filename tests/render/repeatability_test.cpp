@@ -201,6 +201,10 @@ TEST(ItemTraits, NameWhatIsReflectedByChance) {
   Scene scene = room();
   EXPECT_GT(makePathRenderer(scene, withThreads(1))->traits(3).noise, 0.0f);  // metal of roughness 0.3
   const auto metal = static_cast<std::size_t>(scene.meshes[2].material);
+  scene.materials[metal].baseColorTexture = tests::uniformTexture(scene, {255, 255, 255, 255});
+  EXPECT_EQ(makePathRenderer(scene, withThreads(1))->traits(3).noise,
+            0.0f);  // what a texture draws is no noise
+  scene.materials[metal].baseColorTexture.reset();
   scene.materials[metal].roughness = 0.0f;
   const auto mirrored = makePathRenderer(scene, withThreads(1));
   EXPECT_EQ(mirrored->traits(3).noise, 0.0f);
