@@ -1,12 +1,12 @@
 #include "src/app/preview_run.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "src/app/elapsed.h"
 #include "src/app/folders.h"
+#include "src/app/formatted.h"
 #include "src/app/frame_output.h"
 #include "src/app/interrupt.h"
 #include "src/app/render_job.h"
@@ -16,7 +16,6 @@
 #include "src/io/atomic_file.h"
 #include "src/io/exr_frame.h"
 #include "src/io/png.h"
-#include "src/io/text_file.h"
 #include "src/render/path_renderer.h"
 #include "src/walkthrough/finishing.h"
 #include "src/walkthrough/preview.h"
@@ -91,40 +90,22 @@ std::shared_ptr<const render::LightSolution> knownLight(const LoadedJob& job, Co
   const RenderOptions& options = job.options;
   const fs::path file = options.lightSolution.empty() ? fs::path(options.out) / "light-solution.bin"
                                                       : fs::path(options.lightSolution);
-  if (!fs::exists(file)) return nullptr;
-  auto known =
-      render::lightSolutionFrom(io::readTextFile(file, kMaximumSolutionBytes), lightHash(options, job.scene));
-  if (!known) console.info(file.string() + ": not the light of this scene; it is not used");
-  return known;
+  return keptLight(file, lightHash(options, job.scene), "it is not used", console);
 }
 
 std::string summaryOf(const Preview& preview) {
-  std::string text;
-  char line[200];
-  std::snprintf(line, sizeof(line), "stage %d of 3, ", static_cast<int>(preview.stage));
-  text += line;
-  if (preview.stage == PreviewStage::kStochastic) {
-    text += "path tracing";
-  } else if (preview.levelsLeft == 0) {
-    text += "light solution";
-  } else {
-    std::snprintf(line, sizeof(line), "light solution, %d times as coarse as a walk's",
-                  1 << preview.levelsLeft);
-    text += line;
+  const bool isTraced = preview.stage == PreviewStage::kStochastic;
+  std::string text = formatted("stage %d of 3, ", static_cast<int>(preview.stage));
+  text += isTraced ? "path tracing" : "light solution";
+  if (!isTraced && preview.levelsLeft > 0) {
+    text += formatted(", %d times as coarse as a walk's", 1 << preview.levelsLeft);
   }
-  std::snprintf(line, sizeof(line), "; paths a sample: %d", preview.paths);
-  text += line;
+  text += formatted("; paths a sample: %d", preview.paths);
   if (preview.error) {
-    std::snprintf(
-        line, sizeof(line),
-        preview.stage == PreviewStage::kStochastic ? "; error about %.0f%%" : "; error at most about %.0f%%",
-        100.0 * *preview.error);
-    text += line;
+    text += formatted("; error %s %.0f%%", isTraced ? "about" : "at most about", 100.0 * *preview.error);
   }
   if (preview.predictedPercent) {
-    std::snprintf(line, sizeof(line), "; noise predicted to be visible on %.1f%% of the pixels",
-                  *preview.predictedPercent);
-    text += line;
+    text += formatted("; noise predicted to be visible on %.1f%% of the pixels", *preview.predictedPercent);
   }
   return text + "\n";
 }
@@ -182,9 +163,8 @@ ExitStatus runPreview(const RenderOptions& options, Console& console) {
   finishing.begin(settings.frames);
   finishing.add(frame, std::make_shared<const Frame>(std::move(preview.frame)),
                 walkthrough::FrameKind::kKeyframe);
-  char times[160];
-  std::snprintf(times, sizeof(times), ": frame %d after %.1f s of %g (scene read in %.1f s)\n", frame,
-                secondsSince(start), budget, job.secondsLoading);
+  const std::string times = formatted(": frame %d after %.1f s of %g (scene read in %.1f s)\n", frame,
+                                      secondsSince(start), budget, job.secondsLoading);
   console.result(file.string() + ", " + picture.string() + times + summary);
   return ExitStatus::kDone;
 }

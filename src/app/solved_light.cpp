@@ -7,14 +7,19 @@
 
 namespace promenade::app {
 
+std::shared_ptr<const render::LightSolution> keptLight(const std::filesystem::path& file,
+                                                       const std::string& hash, const std::string& fate,
+                                                       Console& console) {
+  if (!std::filesystem::exists(file)) return nullptr;
+  auto kept = render::lightSolutionFrom(io::readTextFile(file, kMaximumSolutionBytes), hash);
+  if (!kept) console.info(file.string() + ": not the light of this scene; " + fate);
+  return kept;
+}
+
 SolvedLight solveLightOf(const paths::CameraPath& path, Size size, const Scene& scene,
                          const LightRequest& request, Console& console) {
   const std::string file = request.file.string();
-  std::shared_ptr<const render::LightSolution> known;
-  if (std::filesystem::exists(request.file)) {
-    known = render::lightSolutionFrom(io::readTextFile(request.file, kMaximumSolutionBytes), request.hash);
-    if (!known) console.info(file + ": not the light of this scene; it is computed anew");
-  }
+  const auto known = keptLight(request.file, request.hash, "it is computed anew", console);
   std::vector<Camera> cameras;
   for (int frame = 0; frame < path.frameCount(); ++frame) cameras.push_back(path.camera(frame, size));
   SolvedLight light;

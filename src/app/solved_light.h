@@ -34,6 +34,13 @@ struct SolvedLight {
   walkthrough::LightReport report;
 };
 
+/// The solution in `file`; null if there is none. One that is damaged or of another scene than `hash` says is
+/// none either, with a notice that ends in `fate`: "it is ...".
+[[nodiscard]] std::shared_ptr<const render::LightSolution> keptLight(const std::filesystem::path& file,
+                                                                     const std::string& hash,
+                                                                     const std::string& fate,
+                                                                     Console& console);
+
 /// The light of the whole walk, whatever part of it is rendered, so that parts fit together: from the file as
 /// far as it goes, the rest computed. A file that is damaged or of another scene is replaced, with a notice.
 [[nodiscard]] SolvedLight solveLightOf(const paths::CameraPath& path, Size size, const Scene& scene,

@@ -7,11 +7,11 @@
 #include <random>
 #include <utility>
 
-#include "src/core/renderer.h"
+#include "tests/walkthrough/grey_wall.h"
 
 namespace promenade::tests {
 
-class NoisyWall final : public Renderer {
+class NoisyWall final : public GreyWall {
  public:
   static constexpr float kGrey = 0.3f;
   using Contrast = std::function<double(int x, int y)>;  ///< of one path; negative: the sample needs none
@@ -19,13 +19,6 @@ class NoisyWall final : public Renderer {
   NoisyWall(Size samples, Contrast contrast, unsigned seed)
       : contrast_(std::move(contrast)), seed_(seed), paths_(samples) {}
 
-  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
-    return {camera, DepthMap(camera.size(), 1.0f), NormalMap(camera.size()), ItemBuffer(camera.size(), 1u)};
-  }
-  void retrace(Frame&, const Mask&, SampleSource, int) const override {}
-  [[nodiscard]] Frame render(const Camera& camera, int) const override {
-    return unshaded(visibility(camera));
-  }
   [[nodiscard]] Refined refine(Frame& frame, const Mask& mask, PathRange paths, int) const override {
     Refined refined{Mask(mask.size()), 0};
     std::mt19937 random(seed_ * 7919u + static_cast<unsigned>(paths.before));
@@ -46,8 +39,6 @@ class NoisyWall final : public Renderer {
     }
     return refined;
   }
-  [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
-  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
 
   [[nodiscard]] int pathsOf(int x, int y) const { return paths_(x, y); }
 

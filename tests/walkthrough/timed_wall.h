@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "src/core/renderer.h"
+#include "tests/walkthrough/grey_wall.h"
 
 namespace promenade::tests {
 
@@ -16,20 +16,13 @@ struct WallLook {
   unsigned seed = 1;
 };
 
-class TimedWall final : public Renderer {
+class TimedWall final : public GreyWall {
  public:
   static constexpr double kGrey = 0.2;
 
   /// `now` must outlive this.
   TimedWall(const WallLook& look, double& now) : look_(look), now_(now) {}
 
-  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
-    return {camera, DepthMap(camera.size(), 1.0f), NormalMap(camera.size()), ItemBuffer(camera.size(), 1u)};
-  }
-  void retrace(Frame&, const Mask&, SampleSource, int) const override {}
-  [[nodiscard]] Frame render(const Camera& camera, int) const override {
-    return unshaded(visibility(camera));
-  }
   [[nodiscard]] Refined refine(Frame& frame, const Mask& mask, PathRange paths, int) const override {
     now_ += look_.secondsPerPath * paths.count;
     std::mt19937 random(look_.seed * 7919u + static_cast<unsigned>(paths.before));
@@ -47,8 +40,6 @@ class TimedWall final : public Renderer {
     }
     return refined;
   }
-  [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
-  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
 
  private:
   WallLook look_;
