@@ -82,6 +82,9 @@ void addRender(CLI::App& verb, RenderOptions& o) {
           "--verify", o.verify,
           "Per cent of the warped samples of a segment's middle that are ray traced to check the warp")
       ->capture_default_str();
+  verb.add_option("--footprint-limit", o.footprintLimit,
+                  "What would be warped from samples that cover more than so many times its area is a hole")
+      ->capture_default_str();
   verb.add_option("--method", o.method, "ibr, or full: every frame ray traced")->capture_default_str();
   verb.add_option(
           "--integrator", o.integrator,

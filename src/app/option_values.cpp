@@ -69,6 +69,7 @@ constexpr std::array kValues = {
     Values{"--name", "NAME"},
     Values{"--mask", "FILE"},
     Values{"--verify", "PERCENT"},
+    Values{"--footprint-limit", "AREAS"},
     Values{"--contrast", "global|local"},
     Values{"--filter", "box|temporal"},
     Values{"--filter-radius", "FRAMES"},

@@ -28,7 +28,8 @@ struct RenderOptions {
   std::string spp = "auto";
   std::string tolerance = "3";
   std::string spacing = "16";
-  std::string verify = "1";  ///< per cent
+  std::string verify = "1";            ///< per cent
+  std::string footprintLimit = "2.5";  ///< areas
   std::string method = "ibr";
   std::string integrator = "walkthrough";
   std::string lightSolution;  ///< empty: DIR/light-solution.bin

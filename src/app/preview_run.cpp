@@ -36,6 +36,7 @@ void refuseWhatIsOfAWalk(const RenderOptions& options) {
         std::pair("--tolerance", options.tolerance != plain.tolerance),
         std::pair("--spacing", options.spacing != plain.spacing),
         std::pair("--verify", options.verify != plain.verify),
+        std::pair("--footprint-limit", options.footprintLimit != plain.footprintLimit),
         std::pair("--filter", options.filter != plain.filter),
         std::pair("--filter-radius", options.filterRadius != plain.filterRadius),
         std::pair("--video", !options.video.empty()), std::pair("--maps", options.maps),

@@ -95,6 +95,7 @@ RenderValues renderValues(const RenderOptions& options) {
   v.tolerancePercent = numberFrom(options.tolerance, 0.0, 100.0, "--tolerance");
   v.spacing = integerFrom(options.spacing, 1, 1'000'000, "--spacing");
   v.verifyPercent = numberFrom(options.verify, 0.0, 100.0, "--verify");
+  v.footprintLimit = numberFrom(options.footprintLimit, 0.01, 1000.0, "--footprint-limit");
   v.method = choiceFrom(options.method, {"ibr", "full"}, "--method") == "full"
                  ? walkthrough::Method::kFull
                  : walkthrough::Method::kImageBased;
@@ -157,6 +158,7 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   if (!values.pathsPerSample) s.stopping = walkthrough::StoppingRule{};
   s.keyframeSpacing = values.spacing;
   s.probeShare = values.verifyPercent / 100.0;
+  s.warp.footprintLimit = values.footprintLimit;
   s.seed = values.seed;
   s.display = values.display;
   s.tone.curve = values.tone.curve;
@@ -191,14 +193,26 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
   addScene(f, scene);
   addPath(f, path);
   const DisplayModel& d = settings.display;
-  for (const double value :
-       {static_cast<double>(settings.size.width), static_cast<double>(settings.size.height),
-        static_cast<double>(settings.supersample), static_cast<double>(settings.frames.first),
-        static_cast<double>(settings.frames.last), settings.tolerancePercent,
-        static_cast<double>(settings.keyframeSpacing), settings.probeShare,
-        static_cast<double>(d.resolution.width), static_cast<double>(d.resolution.height), d.diagonalMetres,
-        d.viewingDistanceMetres, d.peakLuminance, d.blackLuminance, d.ambientIlluminance, d.screenReflectance,
-        static_cast<double>(d.transfer), d.gamma, static_cast<double>(d.signal)}) {
+  for (const double value : {static_cast<double>(settings.size.width),
+                             static_cast<double>(settings.size.height),
+                             static_cast<double>(settings.supersample),
+                             static_cast<double>(settings.frames.first),
+                             static_cast<double>(settings.frames.last),
+                             settings.tolerancePercent,
+                             static_cast<double>(settings.keyframeSpacing),
+                             settings.probeShare,
+                             settings.warp.footprintLimit,
+                             static_cast<double>(d.resolution.width),
+                             static_cast<double>(d.resolution.height),
+                             d.diagonalMetres,
+                             d.viewingDistanceMetres,
+                             d.peakLuminance,
+                             d.blackLuminance,
+                             d.ambientIlluminance,
+                             d.screenReflectance,
+                             static_cast<double>(d.transfer),
+                             d.gamma,
+                             static_cast<double>(d.signal)}) {
     f.add(value);
   }
   for (const glm::dvec2& c : {d.primaries.red, d.primaries.green, d.primaries.blue, d.primaries.white}) {

@@ -23,6 +23,7 @@ struct RenderValues {
   double tolerancePercent = 3.0;
   int spacing = 16;
   double verifyPercent = 1.0;
+  double footprintLimit = 2.5;  ///< ibr::WarpSettings
   walkthrough::Method method = walkthrough::Method::kImageBased;
   DisplayModel display;
   ToneOptions tone;

@@ -58,6 +58,7 @@ OrderedJson jobJson(const Report& report) {
           {"method", s.method == Method::kFull ? "full" : "ibr"},
           {"tolerance", s.tolerancePercent},
           {"verify", 100.0 * s.probeShare},
+          {"footprint_limit", s.warp.footprintLimit},
           {"display", s.display.name},
           {"seed", job.seed},
           {"threads", job.threads},

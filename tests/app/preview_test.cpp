@@ -32,9 +32,9 @@ TEST(Preview, RefusesOptionsOfAWalkAndOfAFixedNumberOfPaths) {
   using Words = std::vector<std::string>;
   for (const Words& more :
        {Words{"--method", "full"}, Words{"--spp", "4"}, Words{"--tolerance", "5"}, Words{"--spacing", "8"},
-        Words{"--verify", "0"}, Words{"--filter", "temporal"}, Words{"--filter-radius", "2"},
-        Words{"--video", "a.mp4"}, Words{"--maps"}, Words{"--resume"}, Words{"--overwrite"},
-        Words{"--from", "frames"}, Words{"--renderer", "true {camera} {out}"}}) {
+        Words{"--verify", "0"}, Words{"--footprint-limit", "4"}, Words{"--filter", "temporal"},
+        Words{"--filter-radius", "2"}, Words{"--video", "a.mp4"}, Words{"--maps"}, Words{"--resume"},
+        Words{"--overwrite"}, Words{"--from", "frames"}, Words{"--renderer", "true {camera} {out}"}}) {
     SCOPED_TRACE(more.front());
     refusePreview("1", more, more.front() + ": not with --preview");
   }

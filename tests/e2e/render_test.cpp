@@ -272,6 +272,13 @@ TEST_F(Render, AConfigFileStandsInForOptions) {
   EXPECT_EQ(framesIn(at("out")), 2);
 }
 
+TEST_F(Render, NumbersOutOfTheirRangeAreRefused) {
+  const auto scene = writeScene(folder_, "scene", With::kAll);
+  for (const char* option : {"--footprint-limit", "--spacing", "--supersample"}) {
+    expectRefused(run(render(scene, at("out"), {option, "0"})), std::string(option) + ": expected");
+  }
+}
+
 TEST_F(Render, AbsurdSizesAreRefusedWithTheMemoryTheyNeed) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   expectRefused(run({"render", scene, "--out", at("out"), "--size", "65536x65536", "--supersample", "16"}),
