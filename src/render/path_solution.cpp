@@ -47,9 +47,11 @@ class GatheringSurface {
     value.pdf = glm::mix(cosine, LightField::pdf(wi), kForTheField);
     return value;
   }
-  [[nodiscard]] static BsdfSample sample(float choose, glm::vec2 u) {
+  /// Strips of the square go to either way, so that both keep the stratification of `u`.
+  [[nodiscard]] static BsdfSample sample(glm::vec2 u) {
     BsdfSample s;
-    s.wi = choose < kForTheField ? LightField::sample(u) : sampleCosine(u);
+    s.wi = u.x < kForTheField ? LightField::sample({u.x / kForTheField, u.y})
+                              : sampleCosine({(u.x - kForTheField) / (1.0f - kForTheField), u.y});
     const BsdfValue value = evaluate(s.wi);
     s.pdf = value.pdf;
     if (s.pdf > 0.0f) s.diffuse = value.diffuse / s.pdf;
@@ -115,8 +117,7 @@ SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& norm
                    ++rays.shadow;
                    shadows.add(shadow, {diffuse, glm::normalize(shadow.direction)});
                  });
-    const float choose = sampler.next1D();
-    const BsdfSample s = scattering.sample(choose, sampler.next2D());
+    const BsdfSample s = scattering.sample(sampler.next2D());
     if (!(s.pdf > 0.0f) || isBlack(s.diffuse)) continue;
     const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
     Carried next;

@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "src/render/irradiance_records.h"
+#include "src/render/irradiance_solution.h"
 #include "src/render/path_renderer.h"
+#include "src/render/path_tracer.h"
 #include "tests/render/scenes.h"
 
 namespace promenade::render {
@@ -137,6 +139,35 @@ TEST(IrradianceRecords, RoughlyAgreeWithTheirInterpolation) {
     EXPECT_NEAR(records.roughlyAt(place, kUp)->radiance.r, records.at(place, kUp)->radiance.r, 0.15f) << x;
   }
   EXPECT_FALSE(records.roughlyAt({50, 0, 0}, kUp).has_value());
+}
+
+TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
+  // 1 m above a floor that fills the view and sends back 0.5 everywhere.
+  Scene scene;
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
+  tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
+  PathTracer tracer(scene, PathSettings{});
+  LightSolution solution;
+  solution.coarse.place({{0, 0, 0}, kUp, 1e4f});
+  solution.coarse.setLight({lightOf(1.0f)});
+  tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
+  constexpr int kTimes = 16;
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < kTimes; ++i) {
+    Sampler::Stream stream;
+    stream.seed = static_cast<std::uint32_t>(i);
+    stream.pathsPerPixel = 256;
+    PathRays rays;
+    const double value = tracer.gather({0, 1, 0}, -kUp, stream, rays, nullptr).radiance.g;
+    sum += value;
+    squares += value * value;
+  }
+  const double mean = sum / kTimes;
+  EXPECT_NEAR(mean, 0.5, 0.002);
+  // A path's weight z / (0.0625 / sqrt(z) + 0.75 z) at height z lies between 0 and 1.23: a relative deviation
+  // of 0.32, a sixteenth of that for 256 independent paths. That is smooth over the square of random
+  // numbers, so stratified paths leave less than a fifth of it.
+  EXPECT_LT(std::sqrt(std::max(0.0, squares / kTimes - mean * mean)) / mean, 0.2 * 0.32 / 16.0);
 }
 
 TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {
@@ -274,7 +305,7 @@ TEST(LightSolution, RefusesOtherAndDamagedBytes) {
   const std::string bytes = toBytes(*solution, "ball");
   EXPECT_FALSE(lightSolutionFrom(bytes, "another ball"));
   EXPECT_FALSE(lightSolutionFrom("", "ball"));
-  EXPECT_FALSE(lightSolutionFrom("PromenadeLight4\n", "ball"));
+  EXPECT_FALSE(lightSolutionFrom("PromenadeLight5\n", "ball"));
   for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{30}}) {
     EXPECT_FALSE(lightSolutionFrom(bytes.substr(0, length), "ball")) << length;
   }
