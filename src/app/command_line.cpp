@@ -27,6 +27,11 @@ void addSceneOptions(CLI::App& verb, SceneOptions& o) {
   verb.add_option("--max-file-bytes", o.maxFileBytes, "All files of the scene together")->group(group);
   verb.add_option("--max-json-bytes", o.maxJsonBytes, "The scene's JSON")->group(group);
   verb.add_option("--max-texture-bytes", o.maxTextureBytes, "Decoded textures")->group(group);
+  verb.add_option(
+          "--texture-memory", o.textureMemory,
+          "MB of decoded textures that are kept; what does not fit is decoded again when it is needed")
+      ->capture_default_str()
+      ->group(group);
   verb.add_option("--max-geometry-bytes", o.maxGeometryBytes, "Decoded geometry")->group(group);
   verb.add_option("--max-triangles", o.maxTriangles, "Stored triangles")->group(group);
   verb.add_option("--max-instances", o.maxInstances, "Placed meshes")->group(group);

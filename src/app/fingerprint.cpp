@@ -64,8 +64,7 @@ void addScene(Fingerprint& fingerprint, const Scene& scene) {
     fingerprint.add(std::as_bytes(std::span(&instance.worldFromObject, 1)));
   }
   for (const TextureImage& image : scene.images) {
-    fingerprint.add(image.texels.width());
-    fingerprint.addArray(image.texels.pixels());
+    fingerprint.addArray(image.source->bytes());
   }
   if (scene.environment) {
     fingerprint.add(scene.environment->radiance.width());

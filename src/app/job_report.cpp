@@ -48,6 +48,13 @@ void warnOfNoise(const walkthrough::Statistics& statistics, Console& console) {
                   std::to_string(tiles) + " tiles; noise may be visible and split segments");
 }
 
+void warnOfTextures(const TextureUse& textures, Console& console) {
+  if (textures.levelsReadAgain == 0) return;
+  console.warning("mip levels of textures were decoded " + std::to_string(textures.levelsRead) + " times, " +
+                  std::to_string(textures.levelsReadAgain) +
+                  " times again for want of memory (--texture-memory)");
+}
+
 void writeReport(const walkthrough::Report& report, const OutputFolder& folder, Console& console) {
   io::writeTextFile(folder.file("report.json"), walkthrough::reportJson(report));
   const std::filesystem::path directory = folder.file("").parent_path();

@@ -16,6 +16,9 @@ namespace promenade::app {
 /// Of --spp auto: a warning if the paths ran out before a viewer would have called the frames done.
 void warnOfNoise(const walkthrough::Statistics& statistics, Console& console);
 
+/// A warning if textures were decoded again for want of memory.
+void warnOfTextures(const TextureUse& textures, Console& console);
+
 /// Writes report.json and report.html, and tells the user in a line.
 void writeReport(const walkthrough::Report& report, const OutputFolder& folder, Console& console);
 [[nodiscard]] bool isReported(const OutputFolder& folder);

@@ -46,6 +46,7 @@ constexpr std::array kValues = {
     Values{"--sun", "ELEVATION,AZIMUTH"},
     Values{"--video", "FILE"},
     Values{"--threads", "N"},
+    Values{"--texture-memory", "MB"},
     Values{"--task", "K"},
     Values{"--partition", "NAME"},
     Values{"--cpus", "N"},

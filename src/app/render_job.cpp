@@ -76,6 +76,7 @@ bool decidesPixels(const std::string& option) {
                                                 "max-file-bytes",
                                                 "max-json-bytes",
                                                 "max-texture-bytes",
+                                                "texture-memory",
                                                 "max-geometry-bytes",
                                                 "max-triangles",
                                                 "max-instances",

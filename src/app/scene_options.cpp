@@ -7,6 +7,7 @@ namespace promenade::app {
 LoadOptions loadOptions(const SceneOptions& options) {
   LoadOptions result;
   if (options.allowOutsideFolder) result.fileAccess = FileAccess::kAnywhere;
+  result.textureMegabytes = integerFrom(options.textureMemory, 10, 1 << 24, "--texture-memory");
   const auto set = [](std::uint64_t& limit, const std::string& text, const char* option) {
     // Doubles hold whole numbers exactly up to 2^53, far above any limit that makes sense.
     if (!text.empty()) limit = static_cast<std::uint64_t>(numberFrom(text, 1.0, 9e15, option));

@@ -10,6 +10,7 @@ namespace promenade::app {
 /// As typed; empty: the default.
 struct SceneOptions {
   bool allowOutsideFolder = false;
+  std::string textureMemory = "1024";
   std::string maxFileBytes, maxJsonBytes, maxTextureBytes, maxGeometryBytes, maxTriangles, maxInstances,
       maxExpansion;
 };

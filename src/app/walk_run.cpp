@@ -129,6 +129,8 @@ ExitStatus runWalk(const LoadedJob& job, const walkthrough::Plan& parts, int thr
   report.seconds.encode = video.seconds();
   report.seconds.write += files.seconds();
   report.peakResidentBytes = peakResidentBytes();
+  report.textures = prepared.renderer->textureUse();
+  warnOfTextures(report.textures, console);
   report.wallSeconds += job.secondsLoading + secondsSince(start);
   writeReport(report, folder, console);
   return ExitStatus::kDone;

@@ -28,6 +28,13 @@ struct RayCounts {
   bool operator==(const RayCounts&) const = default;
 };
 
+/// What the textures took since the renderer was made.
+struct TextureUse {
+  std::uint64_t bytes = 0;            ///< of decoded texels that are kept now
+  std::uint64_t levelsRead = 0;       ///< mip levels that were decoded or made
+  std::uint64_t levelsReadAgain = 0;  ///< of these, how many had been dropped for want of memory
+};
+
 /// A stretch of a sample's paths.
 struct PathRange {
   int before = 0;  ///< paths that the sample has had: 0, or a multiple of `count`
@@ -73,6 +80,8 @@ class Renderer {
 
   [[nodiscard]] virtual ItemTraits traits(ItemId item) const = 0;
   [[nodiscard]] virtual RayCounts rayCounts() const = 0;
+  /// Nothing for a renderer that reads none.
+  [[nodiscard]] virtual TextureUse textureUse() const { return {}; }
 };
 
 }  // namespace promenade

@@ -40,12 +40,9 @@ class ChannelRanges {
   };
 
   [[nodiscard]] Channels read(int image) const {
-    const auto texels = scene_.images[static_cast<std::size_t>(image)].texels.pixels();
-    std::array<std::array<std::uint64_t, 256>, 4> counts{};
-    for (const auto& texel : texels) {
-      for (std::size_t c = 0; c < 4; ++c) ++counts[c][texel[c]];
-    }
-    const double least = kSomewhere * static_cast<double>(texels.size());
+    const TextureImage& known = scene_.images[static_cast<std::size_t>(image)];
+    const TexelCounts& counts = known.counts;
+    const double least = kSomewhere * static_cast<double>(known.size.area());
     Channels result;
     result.known = true;
     for (std::size_t c = 0; c < 4; ++c) {

@@ -1,5 +1,5 @@
 #pragma once
-// Texture lookups at a surface point, anisotropic where the point is seen at a grazing angle.
+// Texture lookups at a surface point.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -19,42 +19,37 @@ class TextureFootprints {
  public:
   TextureFootprints(const SurfacePoint& point, const Footprint& footprint);
 
-  struct Taps {
-    glm::vec2 step{0.0f};  ///< between taps, uv units
-    float width = 0.0f;    ///< of one tap, uv units
-    int count = 1;
-  };
-  [[nodiscard]] const Taps& ofSet(int set) const { return taps_[set == 1 ? 1 : 0]; }
+  [[nodiscard]] const TextureFootprint& ofSet(int set) const { return footprints_[set == 1 ? 1 : 0]; }
 
  private:
-  std::array<Taps, 2> taps_;
+  std::array<TextureFootprint, 2> footprints_;
 };
 
 class MaterialTextures {
  public:
   explicit MaterialTextures(const Scene& scene);
 
-  /// Averaged over the footprint: several lookups along its long axis (at most 8), each as wide as the short
-  /// one.
+  /// Averaged over the footprint.
   [[nodiscard]] glm::vec4 at(const Texture& texture, const SurfacePoint& point,
                              const TextureFootprints& footprints) const;
   /// Without filtering.
   [[nodiscard]] glm::vec4 finest(const Texture& texture, glm::vec2 uv) const {
-    return library_.sample(texture, uv, 0.0f);
+    return library_.sample(texture, uv, {});
   }
   [[nodiscard]] float alpha(const Texture& texture, glm::vec2 uv) const { return finest(texture, uv).a; }
   /// Mean over about `widthUv` around `uv`.
   [[nodiscard]] glm::vec4 mean(const Texture& texture, glm::vec2 uv, float widthUv) const {
-    return library_.sample(texture, uv, widthUv);
+    return library_.sample(texture, uv, TextureFootprint::round(widthUv));
   }
-  /// Least value of each channel over all texels, as encoded (only alpha is the same in every encoding).
-  [[nodiscard]] glm::vec4 minimum(const Texture& texture) const {
-    return minimum_[static_cast<std::size_t>(texture.image)];
+  [[nodiscard]] TextureUse use() const { return library_.use(); }
+  /// Least alpha of all texels.
+  [[nodiscard]] float leastAlpha(const Texture& texture) const {
+    return leastAlpha_[static_cast<std::size_t>(texture.image)];
   }
 
  private:
   TextureLibrary library_;
-  std::vector<glm::vec4> minimum_;  // an image
+  std::vector<float> leastAlpha_;  // an image
 };
 
 }  // namespace promenade::render

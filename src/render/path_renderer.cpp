@@ -14,6 +14,7 @@
 
 #include "src/core/errors.h"
 #include "src/render/item_traits.h"
+#include "src/render/material_textures.h"
 #include "src/render/path_settings.h"
 #include "src/render/path_tracer.h"
 
@@ -179,6 +180,8 @@ class PathRenderer final : public Renderer {
   [[nodiscard]] RayCounts rayCounts() const override {
     return {visibilityRays_.load(), primaryRays_.load(), scatteredRays_.load(), shadowRays_.load()};
   }
+
+  [[nodiscard]] TextureUse textureUse() const override { return tracer_.surfaces().textures().use(); }
 
  private:
   static Visibility emptyVisibility(const Camera& camera) {

@@ -25,13 +25,13 @@ Footprint projectPencil(const glm::vec3& normal, const glm::vec3& direction, flo
                         Filtering filtering) {
   if (filtering == Filtering::kRound) {
     const Basis basis(normal);
-    return {basis.x * width, basis.y * width};
+    return {basis.x * width, basis.y * width, Detail::kBlurred};
   }
   const float cosine = std::max(std::abs(glm::dot(normal, direction)), 1e-3f);
   const glm::vec3 inPlane = direction - glm::dot(normal, direction) * normal;
   const float length = glm::length(inPlane);
   const glm::vec3 along = length > 1e-4f ? inPlane / length : Basis(normal).x;
-  return {along * (width / cosine), glm::cross(normal, along) * width};
+  return {along * (width / cosine), glm::cross(normal, along) * width, Detail::kFull};
 }
 
 /// Turns a smooth refracting solid's surface into a pane; false if it is none.

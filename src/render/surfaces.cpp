@@ -26,7 +26,9 @@ T interpolate(const std::vector<T>& values, const glm::uvec3& t, const glm::vec3
 }  // namespace
 
 Surfaces::Surfaces(const Scene& scene, ShadowsThrough shadowsThrough)
-    : scene_(scene), shadowsThrough_(shadowsThrough), textures_(std::make_unique<MaterialTextures>(scene)) {
+    : scene_(scene),
+      shadowsThrough_(shadowsThrough),
+      textures_(std::make_unique<MaterialTextures>(scene)) {
   std::vector<std::size_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) ++uses[static_cast<std::size_t>(instance.mesh)];
 
@@ -73,7 +75,7 @@ Surfaces::Surfaces(const Scene& scene, ShadowsThrough shadowsThrough)
     filter.owner = this;
     filter.mesh = static_cast<std::uint32_t>(i);
     float alpha = material.baseColor.a;
-    if (material.baseColorTexture) alpha *= textures_->minimum(*material.baseColorTexture).a;
+    if (material.baseColorTexture) alpha *= textures_->leastAlpha(*material.baseColorTexture);
     for (const glm::vec4& color : mesh.colors) alpha = std::min(alpha, material.baseColor.a * color.a);
     const bool masked = material.alphaMode == AlphaMode::kMask && alpha < material.alphaCutoff;
     const bool blended = material.alphaMode == AlphaMode::kBlend && alpha < 1.0f;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "src/render/bsdf.h"
+#include "src/render/detail.h"
 #include "src/render/embree_scene.h"
 #include "src/scene/scene.h"
 
@@ -40,6 +41,7 @@ struct SurfacePoint {
 /// space.
 struct Footprint {
   glm::vec3 major{0.0f}, minor{0.0f};
+  Detail detail = Detail::kFull;
 };
 
 /// KHR_materials_volume: the part of light left after `distance` metres inside the material.

@@ -144,7 +144,7 @@ SceneSummary summarize(const Scene& scene) {
   summary.materials = scene.materials.size();
   summary.images = scene.images.size();
   for (const TextureImage& image : scene.images) {
-    summary.texelBytes += image.texels.size().area() * 4;
+    summary.texelBytes += image.size.area() * 4;
   }
   summary.punctualLights = scene.lights.size();
   summary.hasEnvironment = scene.environment.has_value();
@@ -179,8 +179,8 @@ std::vector<std::string> describe(const Scene& scene) {
     lines.push_back(describeMaterial(material));
   }
   for (const TextureImage& image : scene.images) {
-    lines.push_back("image " + named(image.name) + ": " + std::to_string(image.texels.width()) + " x " +
-                    std::to_string(image.texels.height()));
+    lines.push_back("image " + named(image.name) + ": " + std::to_string(image.size.width) + " x " +
+                    std::to_string(image.size.height));
   }
   for (const PunctualLight& light : scene.lights) {
     lines.push_back(describeLight(light));

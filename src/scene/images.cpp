@@ -34,13 +34,13 @@ std::optional<std::string> nameForReader(std::span<const std::uint8_t> bytes) {
 }
 
 struct Decoded {
-  Image<std::array<std::uint8_t, 4>> texels;
+  Texels texels;
   std::string error;
   bool rounded = false;
 };
 
 /// Grey, grey-alpha and RGB to RGBA, in place.
-void expandChannels(Image<std::array<std::uint8_t, 4>>& texels, int channels) {
+void expandChannels(Texels& texels, int channels) {
   for (auto& texel : texels.pixels()) {
     if (channels <= 2) {
       texel = {texel[0], texel[0], texel[0], channels == 2 ? texel[1] : std::uint8_t{255}};
@@ -51,7 +51,7 @@ void expandChannels(Image<std::array<std::uint8_t, 4>>& texels, int channels) {
 }
 
 /// OpenImageIO 2.4 multiplies the colours of WebP by alpha, whatever it is asked.
-void divideByAlpha(Image<std::array<std::uint8_t, 4>>& texels) {
+void divideByAlpha(Texels& texels) {
   for (auto& texel : texels.pixels()) {
     const int alpha = texel[3];
     for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
@@ -60,7 +60,8 @@ void divideByAlpha(Image<std::array<std::uint8_t, 4>>& texels) {
   }
 }
 
-Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
+/// `budget` may be null: what was decoded once need not be charged again.
+Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget* budget) {
   Decoded result;
   const std::optional<std::string> name = nameForReader(encoded);
   if (!name) {
@@ -92,7 +93,7 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
   }
   const auto width = static_cast<std::uint64_t>(spec.width);
   const auto height = static_cast<std::uint64_t>(spec.height);
-  budget.chargeTexture(width, height);
+  if (budget != nullptr) budget->chargeTexture(width, height);
   if (width * height * 4 > kHarmlessTexelBytes && width * height * 4 / kLargestCompression > encoded.size()) {
     result.error = "claims " + std::to_string(width) + " x " + std::to_string(height) + " texels in " +
                    std::to_string(encoded.size()) + " bytes";
@@ -100,7 +101,7 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
   }
   const int channels = std::min(spec.nchannels, 4);
   result.rounded = spec.format.size() > 1;
-  result.texels = Image<std::array<std::uint8_t, 4>>(spec.width, spec.height);
+  result.texels = Texels(spec.width, spec.height);
   if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, result.texels.pixels().data(), 4,
                          static_cast<OIIO::stride_t>(width * 4))) {
     result.error = "cannot be decoded: " + printable(input->geterror());
@@ -112,6 +113,23 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget& budget) {
   }
   return result;
 }
+
+class EncodedTexels : public TexelSource {
+ public:
+  EncodedTexels(std::shared_ptr<const Bytes> file, std::string name)
+      : file_(std::move(file)), name_(std::move(name)) {}
+
+  [[nodiscard]] Texels texels() const override {
+    Decoded decoded = decodeImage(*file_, nullptr);
+    if (!decoded.error.empty()) throw CannotContinue(name_ + ": " + decoded.error);
+    return std::move(decoded.texels);
+  }
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const override { return *file_; }
+
+ private:
+  std::shared_ptr<const Bytes> file_;
+  std::string name_;
+};
 
 }  // namespace
 
@@ -142,25 +160,36 @@ int ImageStore::use(int image, const std::string& place) {
 }
 
 std::vector<TextureImage> ImageStore::decode(Budget& budget, Warnings& warnings) const {
-  std::vector<Decoded> decoded(entries_.size());
+  struct Known {
+    Size size;
+    TexelCounts counts{};
+    std::string error;
+    bool rounded = false;
+  };
+  std::vector<Known> known(entries_.size());
   tbb::parallel_for(std::size_t{0}, entries_.size(), [&](std::size_t i) {
     try {
-      decoded[i] = decodeImage(entries_[i].encoded, budget);
+      const Decoded decoded = decodeImage(entries_[i].encoded, &budget);
+      known[i] = {decoded.texels.size(), countTexels(decoded.texels), decoded.error, decoded.rounded};
     } catch (const std::exception& error) {  // kept, so that the first in the file's order is reported
-      decoded[i].error = error.what();
+      known[i].error = error.what();
     }
   });
   std::vector<TextureImage> images;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
-    if (!decoded[i].error.empty()) {
-      gltf_.fail(entry.place + " (" + inQuotes(entry.name) + ")", decoded[i].error);
+    if (!known[i].error.empty()) {
+      gltf_.fail(entry.place + " (" + inQuotes(entry.name) + ")", known[i].error);
     }
-    if (decoded[i].rounded) {
+    if (known[i].rounded) {
       warnings.add(entry.place + " (" + inQuotes(entry.name) +
                    "): its 16-bit channels are rounded to 8 bits");
     }
-    images.push_back({entry.name, std::move(decoded[i].texels)});
+    // A buffer's other contents need not stay in memory for its images' sake.
+    auto bytes =
+        entry.file ? entry.file : std::make_shared<const Bytes>(entry.encoded.begin(), entry.encoded.end());
+    images.push_back({entry.name, known[i].size, known[i].counts,
+                      std::make_shared<const EncodedTexels>(std::move(bytes), entry.name)});
   }
   return images;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Internal: decoding of a scene's images (OpenImageIO) into RGBA texels, each image once, sizes checked
-// before decoding.
+// Internal: a scene's images, decoded (OpenImageIO) to see that they can be and what they hold, sizes checked
+// before decoding. What stays in memory is the encoded bytes.
 
 #include <map>
 #include <memory>
@@ -24,7 +24,8 @@ class ImageStore {
   /// file.
   [[nodiscard]] int use(int image, const std::string& place);
 
-  /// Decodes all images in use. Throws InputError: an image that cannot be decoded, or is over the limit.
+  /// Decodes every image in use once. Throws InputError: an image that cannot be decoded, or is over the
+  /// limit.
   [[nodiscard]] std::vector<TextureImage> decode(Budget& budget, Warnings& warnings) const;
 
  private:

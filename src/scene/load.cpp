@@ -146,6 +146,7 @@ Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
   result.lights = placeLights(gltf, nodes, warnings);
   result.cameras = placeCameras(gltf, nodes, accessors, budget, warnings);
   result.images = images.decode(budget, warnings);
+  result.textureMegabytes = options.textureMegabytes;
   warnOfMotion(gltf, result.cameras, warnings);
   if (result.instances.empty()) {
     warnings.add("the scene has no meshes to show");

@@ -22,6 +22,7 @@ struct LoadOptions {
   std::uint64_t maxFileBytes = 4ull << 30;           ///< --max-file-bytes: all files of the scene together
   std::uint64_t maxJsonBytes = 256ull << 20;         ///< --max-json-bytes: the JSON text of the scene
   std::uint64_t maxTextureBytes = 2ull << 30;  ///< --max-texture-bytes: decoded RGBA texels, without mip-maps
+  int textureMegabytes = 1024;                 ///< --texture-memory: Scene::textureMegabytes
   std::uint64_t maxGeometryBytes = 8ull
                                    << 30;  ///< --max-geometry-bytes: decoded attributes, triangles, instances
   std::uint64_t maxTriangles = 200'000'000;  ///< --max-triangles: stored ones; instances do not count

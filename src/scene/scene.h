@@ -15,6 +15,7 @@
 
 #include "src/core/animation.h"
 #include "src/core/image.h"
+#include "src/scene/texture_image.h"
 
 namespace promenade {
 
@@ -22,13 +23,6 @@ enum class Wrap { kRepeat, kMirroredRepeat, kClampToEdge };
 enum class Filter { kNearest, kLinear };
 /// How texels are to be read: sRGB-encoded colour, or plain numbers.
 enum class TexelEncoding { kSrgb, kLinear };
-
-/// A decoded image, 8 bits a channel, RGBA, origin top left. (16-bit images are rounded to 8 bits, with a
-/// warning.)
-struct TextureImage {
-  std::string name;
-  Image<std::array<std::uint8_t, 4>> texels;
-};
 
 /// A use of an image by a material.
 struct Texture {
@@ -124,6 +118,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Material> materials;  ///< never empty: the default material is there when the file has none
   std::vector<TextureImage> images;
+  int textureMegabytes = 1024;  ///< for decoded texels, with their mip levels
   std::vector<PunctualLight> lights;
   std::optional<Environment> environment;
   std::vector<CameraAnimation>

@@ -127,7 +127,11 @@ OrderedJson totalsJson(const Report& report) {
             {"filter", s.seconds.filter},
             {"encode", o.encode},
             {"write", o.write}}},
-          {"peak_rss_bytes", static_cast<std::uint64_t>(report.peakResidentBytes)}};
+          {"peak_rss_bytes", static_cast<std::uint64_t>(report.peakResidentBytes)},
+          {"textures",
+           {{"bytes", report.textures.bytes},
+            {"levels_read", report.textures.levelsRead},
+            {"levels_read_again", report.textures.levelsReadAgain}}}};
 }
 
 }  // namespace

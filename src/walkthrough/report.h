@@ -51,6 +51,7 @@ struct Report {
   std::optional<LightReport> light;  ///< nothing: paths alone
   double wallSeconds = 0.0;
   double peakResidentBytes = 0.0;
+  TextureUse textures;  ///< of the run that made the report
 };
 
 /// How many times longer every frame ray traced would have taken: what the keyframes took a sample, times all

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -75,11 +77,28 @@ inline void place(Scene& scene, Mesh mesh) {
   scene.instances.push_back(instance);
 }
 
+/// Texels as they are, not encoded.
+class StoredTexels : public TexelSource {
+ public:
+  explicit StoredTexels(Texels texels) : texels_(std::move(texels)) {}
+  [[nodiscard]] Texels texels() const override { return texels_.clone(); }
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const override {
+    return {reinterpret_cast<const std::uint8_t*>(texels_.pixels().data()), texels_.size().area() * 4};
+  }
+
+ private:
+  Texels texels_;
+};
+
+inline TextureImage textureImage(Texels texels) {
+  const Size size = texels.size();
+  const TexelCounts counts = countTexels(texels);
+  return {"image", size, counts, std::make_shared<StoredTexels>(std::move(texels))};
+}
+
 /// A texture of one texel (0 to 255).
 inline Texture uniformTexture(Scene& scene, const std::array<std::uint8_t, 4>& texel) {
-  TextureImage image{"one texel", Image<std::array<std::uint8_t, 4>>(Size{1, 1})};
-  image.texels(0, 0) = texel;
-  scene.images.push_back(std::move(image));
+  scene.images.push_back(textureImage(Texels(Size{1, 1}, texel)));
   Texture texture;
   texture.image = static_cast<int>(scene.images.size()) - 1;
   return texture;

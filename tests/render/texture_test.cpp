@@ -1,26 +1,37 @@
 #include "src/render/texture.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <new>
 #include <random>
+#include <vector>
 
 #include "src/core/display.h"
+#include "src/core/errors.h"
+#include "tests/render/scenes.h"
 
 namespace promenade::render {
 namespace {
 
 using Texel = std::array<std::uint8_t, 4>;
+using tests::textureImage;
 
 /// A scene with one material whose base colour is one texture of one image.
 Scene sceneOf(Size size, const std::function<Texel(int, int)>& texel, Texture texture = {}) {
   Scene scene;
-  scene.images.push_back({"image", Image<Texel>(size)});
+  Texels texels(size);
   for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) scene.images[0].texels(x, y) = texel(x, y);
+    for (int x = 0; x < size.width; ++x) texels(x, y) = texel(x, y);
   }
+  scene.images.push_back(textureImage(std::move(texels)));
   scene.materials.emplace_back();
   texture.image = 0;
   scene.materials[0].baseColorTexture = texture;
@@ -36,9 +47,12 @@ Texel grey(int v) {
 }
 
 /// Red of a lookup, in 1 / 255.
-float red(const Scene& scene, glm::vec2 uv, float footprint = 0.0f) {
+float red(const Scene& scene, glm::vec2 uv, const TextureFootprint& footprint) {
   const TextureLibrary library(scene);
   return 255.0f * library.sample(*scene.materials[0].baseColorTexture, uv, footprint).r;
+}
+float red(const Scene& scene, glm::vec2 uv, float width = 0.0f) {
+  return red(scene, uv, TextureFootprint::round(width));
 }
 
 Texture withWrap(Wrap wrap, Filter filter = Filter::kLinear) {
@@ -99,7 +113,8 @@ TEST(TextureLibrary, SurvivesAnyCoordinatesAndFootprint) {
         const TextureLibrary library(scene);
         for (const float u : values) {
           for (const float footprint : {0.0f, 0.3f, 1e30f, inf, nan, -1.0f}) {
-            const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {u, -u}, footprint);
+            const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {u, -u},
+                                               TextureFootprint::round(footprint));
             ASSERT_TRUE(v.r >= 0.0f && v.r <= 1.0f) << u << " " << footprint;
           }
         }
@@ -118,7 +133,7 @@ TEST(TextureLibrary, DecodesSrgbColourButNotAlpha) {
       },
       texture);
   const TextureLibrary library(scene);
-  const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.3f}, 0.0f);
+  const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.3f}, {});
   EXPECT_NEAR(v.r, 0.5029f, 1e-4f);  // ((188 / 255 + 0.055) / 1.055)^2.4
   EXPECT_EQ(v.g, 0.0f);
   EXPECT_NEAR(v.b, 1.0f, 1e-6f);
@@ -133,7 +148,8 @@ TEST(TextureLibrary, AveragesInLinearLight) {
   const Scene scene = sceneOf({64, 64}, checkers, texture);
   const TextureLibrary library(scene);
   for (const float footprint : {2.0f / 64.0f, 0.1f, 1.0f, 50.0f}) {
-    const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.7f}, footprint);
+    const glm::vec4 v = library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.7f},
+                                       TextureFootprint::round(footprint));
     EXPECT_NEAR(v.r, 0.5f, 0.004f) << footprint;
   }
 }
@@ -188,31 +204,155 @@ TEST(TextureLibrary, DoesNotFilterWhatAsksForNoMipmaps) {
   texture.mipmapped = false;
   const Scene scene = sceneOf({4, 1}, kFourColumns, texture);
   EXPECT_NEAR(red(scene, {0.375f, 0.5f}, 1.0f), 40.0f, 1e-3f);
-  EXPECT_EQ(TextureLibrary(scene).bytes(), 0u);
 }
 
-TEST(TextureLibrary, AddsAThirdOfTheImageInMemory) {
-  // 4 x 4 has levels of 4 and 1 texels above it: 20 bytes, once for each encoding that is read.
-  Scene scene = sceneOf({4, 4}, kFourColumns);
-  EXPECT_EQ(TextureLibrary(scene).bytes(), 20u);
-  scene.materials[0].normalTexture = scene.materials[0].baseColorTexture;
-  EXPECT_EQ(TextureLibrary(scene).bytes(), 20u);
+TEST(TextureLibrary, FollowsALongFootprint) {
+  // Black on the left, white on the right; a footprint of 2 texels by 16. Upright 4 texels from the border it
+  // sees black only, which one as wide as it is long would not; lying across the border, half of each.
+  const auto halves = [](int x, int) { return grey(x < 32 ? 0 : 255); };
+  const Scene scene = sceneOf({64, 64}, halves, withWrap(Wrap::kClampToEdge));
+  const float narrow = 2.0f / 64.0f;
+  const float wide = 16.0f / 64.0f;
+  EXPECT_NEAR(red(scene, {0.4375f, 0.5f}, {{0.0f, wide}, {narrow, 0.0f}}), 0.0f, 0.5f);
+  EXPECT_GT(red(scene, {0.4375f, 0.5f}, wide), 10.0f);
+  EXPECT_NEAR(red(scene, {0.5f, 0.5f}, {{wide, 0.0f}, {0.0f, narrow}}), 127.5f, 1.0f);
+  // A quarter of the footprint's length from the border, between a quarter and half of that.
+  const float beside = red(scene, {0.5f - wide / 4.0f, 0.5f}, {{wide, 0.0f}, {0.0f, narrow}});
+  EXPECT_GT(beside, 255.0f * 0.1f);
+  EXPECT_LT(beside, 255.0f * 0.4f);
+}
+
+TEST(TextureLibrary, FiltersBothSidesOfAnOblongImage) {
+  // Columns of black and white, one texel each: a footprint of two texels is grey however low the image is.
+  const auto columns = [](int x, int) { return grey(x % 2 == 0 ? 0 : 255); };
+  for (const int height : {4, 64, 256}) {
+    const Scene scene = sceneOf({64, height}, columns);
+    EXPECT_NEAR(red(scene, {0.2f, 0.5f}, 2.0f / static_cast<float>(std::min(64, height))), 127.5f, 1.0f)
+        << height;
+    EXPECT_NEAR(red(scene, {0.2f, 0.5f}, {{0.0f, 0.5f}, {2.0f / 64.0f, 0.0f}}), 127.5f, 1.0f) << height;
+  }
+}
+
+TEST(TextureLibrary, ReadsTheNearestLevelForWhatIsBlurredAnyway) {
+  // Columns of black and white pairs: at 1.3 texels level 0 is nearest (log2(1.3) = 0.38), at 3 texels and at
+  // 5 level 2 (1.58 and 2.32), where all is grey.
+  const auto pairs = [](int x, int) { return grey((x / 2) % 2 == 0 ? 0 : 255); };
+  const Scene scene = sceneOf({64, 64}, pairs);
+  const auto at = [&](float texels) {
+    TextureFootprint footprint = TextureFootprint::round(texels / 64.0f);
+    footprint.detail = Detail::kBlurred;
+    return red(scene, {0.5f / 64.0f, 0.5f}, footprint);  // the centre of a black texel
+  };
+  EXPECT_NEAR(at(1.3f), 0.0f, 1e-3f);
+  EXPECT_NEAR(at(3.0f), 127.5f, 1.0f);
+  EXPECT_NEAR(at(5.0f), 127.5f, 1.0f);
+}
+
+TEST(TextureLibrary, NeedsAThirdMoreThanTheImageForItsLevels) {
+  // 4 x 4 has levels of 4 and 1 texels above it: 21 texels of 4 bytes, or 8 where sRGB is made linear.
+  const Scene scene = sceneOf({4, 4}, kFourColumns);
+  EXPECT_EQ(bytesOf({&scene.images[0], TexelEncoding::kLinear, nullptr, {}}), 84u);
+  EXPECT_EQ(bytesOf({&scene.images[0], TexelEncoding::kSrgb, nullptr, {}}), 168u);
+}
+
+TEST(TextureLibrary, ReadsOneImageInTwoEncodings) {
+  Scene scene = sceneOf({1, 1}, [](int, int) { return grey(188); });
   scene.materials[0].emissionTexture = scene.materials[0].baseColorTexture;
   scene.materials[0].emissionTexture->encoding = TexelEncoding::kSrgb;
-  EXPECT_EQ(TextureLibrary(scene).bytes(), 40u);
+  const TextureLibrary library(scene);
+  EXPECT_NEAR(library.sample(*scene.materials[0].baseColorTexture, {0.5f, 0.5f}, {}).r, 188.0f / 255.0f,
+              1e-6f);
+  EXPECT_NEAR(library.sample(*scene.materials[0].emissionTexture, {0.5f, 0.5f}, {}).r, 0.5029f, 1e-4f);
 }
 
-TEST(TextureLibrary, BuildsThePyramidIfAnyUseOfTheImageWantsIt) {
+/// Six textures of noise, 17 MB with their levels.
+Scene sceneOfNoise(int megabytes) {
+  std::mt19937 random(5);
+  Scene scene;
+  scene.textureMegabytes = megabytes;
+  for (int i = 0; i < 6; ++i) {
+    Texels texels(Size{512, 512});
+    for (Texel& texel : texels.pixels()) texel = grey(static_cast<int>(random() % 256));
+    scene.images.push_back(textureImage(std::move(texels)));
+    scene.materials.emplace_back();
+    Texture texture;
+    texture.image = i;
+    texture.encoding = TexelEncoding::kSrgb;
+    scene.materials.back().baseColorTexture = texture;
+  }
+  return scene;
+}
+
+std::vector<glm::vec4> lookups(const Scene& scene, const TextureLibrary& library) {
+  std::vector<glm::vec4> result(120);
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    std::uniform_real_distribution<float> uniform;
+    const Texture& texture = *scene.materials[random() % 6].baseColorTexture;
+    const glm::vec2 uv{uniform(random), uniform(random)};
+    result[i] = library.sample(texture, uv, TextureFootprint::round(0.02f * uniform(random)));
+  });
+  return result;
+}
+
+TEST(TextureLibrary, GivesTheSameWhateverItsMemoryAndThreads) {
+  const Scene roomy = sceneOfNoise(64);
+  const TextureLibrary keeps(roomy);
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+  const std::vector<glm::vec4> expected = lookups(roomy, keeps);
+  EXPECT_EQ(keeps.use().levelsReadAgain, 0);
+
+  const Scene scarce = sceneOfNoise(10);
+  const TextureLibrary drops(scarce);
+  EXPECT_EQ(lookups(scarce, drops), expected);
+  EXPECT_GT(drops.use().levelsReadAgain, 0);
+  // What one thread looks at, and the level it asked for beyond the budget, are 2 MB each.
+  EXPECT_LT(drops.use().bytes, std::size_t{16} << 20);
+}
+
+TEST(TextureLibrary, GivesTheSameFromAnyNumberOfThreads) {
+  const Scene scene = sceneOfNoise(10);
+  const std::vector<glm::vec4> many = lookups(scene, TextureLibrary(scene));
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(lookups(scene, TextureLibrary(scene)), many);
+}
+
+/// An image that could be decoded when the scene was loaded, and now cannot.
+class LostTexels : public TexelSource {
+ public:
+  [[nodiscard]] Texels texels() const override { throw std::bad_alloc(); }
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const override { return {}; }
+};
+
+TEST(TextureLibrary, SaysWhichImageCannotBeDecodedAgain) {
+  Scene scene = sceneOf({4, 4}, kFourColumns);
+  scene.images[0].source = std::make_shared<LostTexels>();
+  scene.images[0].name = "marble.png";
+  const TextureLibrary library(scene);
+  try {
+    (void)library.sample(*scene.materials[0].baseColorTexture, {0.5f, 0.5f}, {});
+    FAIL() << "expected CannotContinue";
+  } catch (const CannotContinue& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("marble.png"));
+  }
+}
+
+TEST(TextureLibrary, FiltersForTheUsesOfAnImageThatWantIt) {
   Scene scene = sceneOf({4, 4}, [](int x, int y) { return grey((x + y) % 2 == 0 ? 0 : 254); });
   scene.materials[0].baseColorTexture->mipmapped = false;
   scene.materials.push_back(scene.materials[0]);
   scene.materials[1].baseColorTexture->mipmapped = true;
   scene.materials.push_back(scene.materials[0]);
   const TextureLibrary library(scene);
-  EXPECT_NEAR(255.0f * library.sample(*scene.materials[1].baseColorTexture, {0.1f, 0.1f}, 5.0f).r, 127.0f,
-              0.6f);
-  EXPECT_NEAR(255.0f * library.sample(*scene.materials[2].baseColorTexture, {0.125f, 0.125f}, 5.0f).r, 0.0f,
-              1e-3f);
+  EXPECT_NEAR(
+      255.0f *
+          library.sample(*scene.materials[1].baseColorTexture, {0.1f, 0.1f}, TextureFootprint::round(5.0f)).r,
+      127.0f, 0.6f);
+  EXPECT_NEAR(255.0f * library
+                           .sample(*scene.materials[2].baseColorTexture, {0.125f, 0.125f},
+                                   TextureFootprint::round(5.0f))
+                           .r,
+              0.0f, 1e-3f);
 }
 
 }  // namespace

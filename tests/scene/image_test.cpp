@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <numeric>
 
 #include "src/core/errors.h"
 #include "src/scene/load.h"
@@ -40,6 +41,22 @@ json texturedScene(const std::vector<std::string>& uris, const char* extension) 
   return document;
 }
 
+/// PNG of one texel, RGBA (200, 100, 50, 128): signature, header, data, end.
+const std::string kTexelPng(
+    "\x89PNG\x0d\x0a\x1a\x0a"
+    "\x00\x00\x00\x0dIHDR\x00\x00\x00\x01\x00\x00\x00\x01\x08\x06\x00\x00\x00\x1f\x15\xc4\x89"
+    "\x00\x00\x00\x0dIDATx\x9c"
+    "c8\x91"
+    "b\xd4\x00\x00\x05"
+    "5\x01\xdfsb\xe3\xdb"
+    "\x00\x00\x00\x00IEND\xae"
+    "B`\x82",
+    70);
+
+Texel firstTexel(const TextureImage& image) {
+  return image.source->texels()(0, 0);
+}
+
 TEST(SceneImages, ReadWebpWithAndWithoutAlpha) {
   PROMENADE_NEEDS_SHARED("hostile/khronos-validator/ext/EXT_texture_webp/data/image");
   const auto folder = tests::sharedPath("hostile/khronos-validator/ext/EXT_texture_webp/data/image");
@@ -50,23 +67,45 @@ TEST(SceneImages, ReadWebpWithAndWithoutAlpha) {
   const tests::TemporaryFolder files;
   const Scene scene = loadScene(files.write("scene.gltf", texturedScene(uris, "EXT_texture_webp").dump()));
   ASSERT_EQ(scene.images.size(), 3u);
-  EXPECT_EQ(scene.images[0].texels(0, 0), (Texel{255, 0, 0, 255}));
-  EXPECT_GT(scene.images[1].texels(0, 0)[0], 200);  // lossy
-  EXPECT_LT(scene.images[1].texels(0, 0)[1], 50);
+  EXPECT_EQ(firstTexel(scene.images[0]), (Texel{255, 0, 0, 255}));
+  EXPECT_GT(firstTexel(scene.images[1])[0], 200);  // lossy
+  EXPECT_LT(firstTexel(scene.images[1])[1], 50);
   // Not premultiplied: red stays full where alpha is less.
-  EXPECT_LT(scene.images[2].texels(0, 0)[3], 255);
-  EXPECT_EQ(scene.images[2].texels(0, 0)[0], 255);
+  EXPECT_LT(firstTexel(scene.images[2])[3], 255);
+  EXPECT_EQ(firstTexel(scene.images[2])[0], 255);
 }
 
 TEST(SceneImages, KeepColourUnderAlpha) {
-  // PNG of one texel, RGBA (200, 100, 50, 128).
-  const std::string png =
-      "data:image/"
-      "png;base64,"
-      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4nGM4kWLUAAAFNQHfc2Lj2wAAAABJRU5ErkJggg==";
   const tests::TemporaryFolder files;
-  const Scene scene = loadScene(files.write("scene.gltf", texturedScene({png}, nullptr).dump()));
-  EXPECT_EQ(scene.images.at(0).texels(0, 0), (Texel{200, 100, 50, 128}));
+  const Scene scene =
+      loadScene(files.write("scene.gltf", texturedScene({tests::dataUri(kTexelPng)}, nullptr).dump()));
+  EXPECT_EQ(firstTexel(scene.images.at(0)), (Texel{200, 100, 50, 128}));
+}
+
+TEST(SceneImages, SayHowOftenEachValueOccurs) {
+  const tests::TemporaryFolder files;
+  const Scene scene =
+      loadScene(files.write("scene.gltf", texturedScene({tests::dataUri(kTexelPng)}, nullptr).dump()));
+  const TextureImage& image = scene.images.at(0);
+  EXPECT_EQ(image.size, (Size{1, 1}));
+  const Texel texel{200, 100, 50, 128};
+  for (std::size_t c = 0; c < 4; ++c) {
+    EXPECT_EQ(image.counts[c][texel[c]], 1u);
+    EXPECT_EQ(std::accumulate(image.counts[c].begin(), image.counts[c].end(), std::uint64_t{0}), 1u);
+  }
+}
+
+TEST(SceneImages, KeepOnlyTheEncodedBytesOfABuffersImage) {
+  const tests::TemporaryFolder files;
+  json document = texturedScene({"unused"}, nullptr);
+  files.write("image.bin", std::string(1000, 'x') + kTexelPng + std::string(3000, 'x'));
+  document["buffers"].push_back({{"uri", "image.bin"}, {"byteLength", 4000 + kTexelPng.size()}});
+  document["bufferViews"].push_back(
+      {{"buffer", document["buffers"].size() - 1}, {"byteOffset", 1000}, {"byteLength", kTexelPng.size()}});
+  document["images"][0] = {{"bufferView", document["bufferViews"].size() - 1}, {"mimeType", "image/png"}};
+  const Scene scene = loadScene(files.write("scene.gltf", document.dump()));
+  EXPECT_EQ(scene.images.at(0).source->bytes().size(), kTexelPng.size());
+  EXPECT_EQ(firstTexel(scene.images[0]), (Texel{200, 100, 50, 128}));
 }
 
 TEST(SceneImages, RoundSixteenBitsToEightWithAWarning) {
@@ -77,7 +116,7 @@ TEST(SceneImages, RoundSixteenBitsToEightWithAWarning) {
       "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAAAAABq7kcWAAAAC0lEQVR4nGNoaAAAAYMBARg1IhUAAAAASUVORK5CYII=";
   const tests::TemporaryFolder files;
   const Scene scene = loadScene(files.write("scene.gltf", texturedScene({png}, nullptr).dump()));
-  EXPECT_EQ(scene.images.at(0).texels(0, 0), (Texel{128, 128, 128, 255}));
+  EXPECT_EQ(firstTexel(scene.images.at(0)), (Texel{128, 128, 128, 255}));
   EXPECT_THAT(scene.warnings, testing::Contains(testing::HasSubstr("16-bit")));
 }
 

@@ -100,7 +100,7 @@ TEST(LoadScene, MakesTangentsThatPointAlongUAndUp) {
   ASSERT_EQ(scene.meshes[0].tangents.size(), 3u);
   EXPECT_LT(glm::distance(scene.meshes[0].tangents[0], glm::vec4(1, 0, 0, 1)), 1e-5f);
   ASSERT_EQ(scene.images.size(), 1u);
-  EXPECT_EQ(scene.images[0].texels(0, 0), (std::array<std::uint8_t, 4>{128, 128, 128, 255}));
+  EXPECT_EQ(scene.images[0].source->texels()(0, 0), (std::array<std::uint8_t, 4>{128, 128, 128, 255}));
 }
 
 TEST(LoadScene, NormalisesIntegerAttributes) {

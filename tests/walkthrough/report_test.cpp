@@ -69,6 +69,7 @@ Report threeFrames() {
   r.seconds = {.load = 1.0, .indirect = 0.0, .prepare = 0.6, .encode = 0.2, .write = 0.3};
   r.wallSeconds = 8.0;
   r.peakResidentBytes = 1e6;
+  r.textures = {.bytes = 2048, .levelsRead = 7, .levelsReadAgain = 2};
   return r;
 }
 
@@ -105,6 +106,7 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["rays"], 2 * 875 + 170);                         // without the visibility rays
   EXPECT_EQ(totals["visibility_rays"], 200 + 40);
   EXPECT_EQ(totals["seconds_wall"], 8.0);
+  EXPECT_EQ(totals["textures"], json::parse(R"({"bytes": 2048, "levels_read": 7, "levels_read_again": 2})"));
   // Two keyframes took 4.5 s for 400 samples, so 600 samples 6.75 s; loading, preparing, filtering, encoding
   // and writing 1 + 0.6 + 0.4 + 0.2 + 0.3 = 2.5 s either way: 9.25 s over 8 s.
   EXPECT_DOUBLE_EQ(totals["speedup_estimated"].get<double>(), 9.25 / 8.0);

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace promenade::render {
+
+/// How exactly textures are to be looked up, by what becomes of the light.
+enum class Detail {
+  kFull,
+  kBlurred,  ///< it is blurred anyway: the mip level nearest to the footprint is enough
+};
+
+}  // namespace promenade::render
