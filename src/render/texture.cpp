@@ -1,13 +1,24 @@
 #include "src/render/texture.h"
 
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/texture.h>
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/core/errors.h"
+#include "src/render/texture_input_internal.h"
 
 namespace promenade::render {
 namespace {
@@ -54,11 +65,43 @@ float widthForLevel(glm::vec2 axis, float length, Size size) {
 
 }  // namespace
 
-TextureLibrary::TextureLibrary(const Scene& scene)
-    : files_(2 * scene.images.size()),
-      cache_(OIIO::ImageCache::create(false)),
-      system_(OIIO::TextureSystem::create(false, cache_.get())) {
-  cache_->attribute("max_memory_MB", static_cast<float>(scene.textureMegabytes));
+struct TextureLibrary::Cache {
+  struct File : TextureFile {
+    OIIO::TextureSystem::TextureHandle* handle = nullptr;  ///< null: no material reads it
+  };
+  struct Destroy {
+    void operator()(OIIO::ImageCache* cache) const { OIIO::ImageCache::destroy(cache); }
+    void operator()(OIIO::TextureSystem* system) const { OIIO::TextureSystem::destroy(system); }
+  };
+  /// What OpenImageIO needs to know of a thread. It keeps hold of the two tiles looked at last.
+  using Lookups = std::vector<OIIO::TextureSystem::Perthread*>;
+
+  explicit Cache(const Scene& scene);
+  Cache(const Cache&) = delete;
+  Cache& operator=(const Cache&) = delete;
+  ~Cache();
+
+  void addFile(const Scene& scene, const Texture& texture);
+  [[nodiscard]] std::size_t indexOf(const Texture& texture) const {
+    return 2 * static_cast<std::size_t>(texture.image) + (texture.encoding == TexelEncoding::kSrgb ? 0 : 1);
+  }
+  [[nodiscard]] OIIO::TextureSystem::Perthread* lookupsOf(std::size_t index);
+
+  std::vector<File> files;  ///< two an image: sRGB, linear
+  std::unique_ptr<OIIO::ImageCache, Destroy> images;
+  std::unique_ptr<OIIO::TextureSystem, Destroy> system;
+  bool isRoomy = false;  ///< the budget holds every texture whole
+  tbb::enumerable_thread_specific<Lookups> lookups;
+};
+
+TextureLibrary::Cache::Cache(const Scene& scene)
+    : files(2 * scene.images.size()),
+      images(OIIO::ImageCache::create(false)),
+      system(OIIO::TextureSystem::create(false, images.get())) {
+  // Whatever OPENIMAGEIO_IMAGECACHE_OPTIONS in the environment says: a level is one tile, in its own format.
+  images->attribute("autotile", 0);
+  images->attribute("forcefloat", 0);
+  images->attribute("max_memory_MB", static_cast<float>(scene.textureMegabytes));
   const auto add = [this, &scene](const std::optional<Texture>& texture) {
     if (texture) addFile(scene, *texture);
   };
@@ -75,56 +118,54 @@ TextureLibrary::TextureLibrary(const Scene& scene)
     add(material.clearcoatNormalTexture);
   }
   std::size_t whole = 0;
-  for (const File& file : files_) {
+  for (const File& file : files) {
     if (file.handle != nullptr) whole += bytesOf(file);
   }
-  isRoomy_ = whole <= static_cast<std::size_t>(scene.textureMegabytes) << 20;
+  isRoomy = whole <= static_cast<std::size_t>(scene.textureMegabytes) << 20;
 }
 
-TextureLibrary::~TextureLibrary() {
-  for (const Lookups& lookups : lookups_) {
-    for (OIIO::TextureSystem::Perthread* thread : lookups) system_->destroy_thread_info(thread);
+TextureLibrary::Cache::~Cache() {
+  for (const Lookups& ofThread : lookups) {
+    for (OIIO::TextureSystem::Perthread* thread : ofThread) system->destroy_thread_info(thread);
   }
 }
 
-OIIO::TextureSystem::Perthread* TextureLibrary::lookupsOf(const File& file) const {
+void TextureLibrary::Cache::addFile(const Scene& scene, const Texture& texture) {
+  const auto image = static_cast<std::size_t>(texture.image);
+  File& file = files[indexOf(texture)];
+  if (file.handle != nullptr) return;
+  file.image = &scene.images[image];
+  file.encoding = texture.encoding;
+  file.cache = images.get();
+  file.name = OIIO::ustring("image " + std::to_string(image) +
+                            (texture.encoding == TexelEncoding::kSrgb ? " sRGB" : " linear"));
+  addToCache(file);
+  file.handle = system->get_texture_handle(file.name);
+}
+
+OIIO::TextureSystem::Perthread* TextureLibrary::Cache::lookupsOf(std::size_t index) {
   // One for each texture finds the two levels in use without a search in the cache. But what it holds cannot
   // be dropped, so where memory is short a thread has only one.
-  Lookups& lookups = lookups_.local();
-  if (lookups.empty()) lookups.resize(isRoomy_ ? files_.size() : 1);
-  OIIO::TextureSystem::Perthread*& thread =
-      lookups[isRoomy_ ? static_cast<std::size_t>(&file - files_.data()) : 0];
-  if (thread == nullptr) thread = system_->create_thread_info();
+  Lookups& ofThread = lookups.local();
+  if (ofThread.empty()) ofThread.resize(isRoomy ? files.size() : 1);
+  OIIO::TextureSystem::Perthread*& thread = ofThread[isRoomy ? index : 0];
+  if (thread == nullptr) thread = system->create_thread_info();
   return thread;
 }
 
-void TextureLibrary::addFile(const Scene& scene, const Texture& texture) {
-  const auto index = static_cast<std::size_t>(texture.image);
-  const bool isSrgb = texture.encoding == TexelEncoding::kSrgb;
-  File& file = files_[2 * index + (isSrgb ? 0 : 1)];
-  if (file.handle != nullptr) return;
-  file.image = &scene.images[index];
-  file.encoding = texture.encoding;
-  file.cache = cache_.get();
-  file.name = OIIO::ustring("image " + std::to_string(index) + (isSrgb ? " sRGB" : " linear"));
-  addToCache(file);
-  file.handle = system_->get_texture_handle(file.name);
-}
+TextureLibrary::TextureLibrary(const Scene& scene) : cache_(std::make_unique<Cache>(scene)) {}
 
-const TextureLibrary::File& TextureLibrary::fileOf(const Texture& texture) const {
-  const bool isSrgb = texture.encoding == TexelEncoding::kSrgb;
-  return files_[2 * static_cast<std::size_t>(texture.image) + (isSrgb ? 0 : 1)];
-}
+TextureLibrary::~TextureLibrary() = default;
 
 TextureUse TextureLibrary::use() const {
   TextureUse use;
-  cache_->getattribute("stat:cache_memory_used", OIIO::TypeDesc::INT64, &use.bytes);
-  const auto countOf = [this](const File& file, const char* what) {
+  cache_->images->getattribute("stat:cache_memory_used", OIIO::TypeDesc::INT64, &use.bytes);
+  const auto countOf = [this](const Cache::File& file, const char* what) {
     std::uint64_t count = 0;
-    cache_->get_image_info(file.name, 0, 0, OIIO::ustring(what), OIIO::TypeDesc::INT64, &count);
+    cache_->images->get_image_info(file.name, 0, 0, OIIO::ustring(what), OIIO::TypeDesc::INT64, &count);
     return count;
   };
-  for (const File& file : files_) {
+  for (const Cache::File& file : cache_->files) {
     if (file.handle == nullptr) continue;
     use.levelsRead += countOf(file, "stat:tilesread");
     use.levelsReadAgain += countOf(file, "stat:redundant_tiles");
@@ -134,7 +175,8 @@ TextureUse TextureLibrary::use() const {
 
 glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
                                  const TextureFootprint& footprint) const {
-  const File& file = fileOf(texture);
+  const std::size_t index = cache_->indexOf(texture);
+  const Cache::File& file = cache_->files[index];
   OIIO::TextureOpt options;
   options.swrap = toOiio(texture.wrapU);
   options.twrap = toOiio(texture.wrapV);
@@ -142,11 +184,13 @@ glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
   options.interpmode = OIIO::TextureOpt::InterpBilinear;
   options.anisotropic = kMostAnisotropy;
 
+  const glm::mat2 linear(texture.transform);
+  glm::vec2 longAxis = linear * footprint.longAxis;
+  glm::vec2 shortAxis = linear * footprint.shortAxis;
+  if (glm::length(shortAxis) > glm::length(longAxis)) std::swap(longAxis, shortAxis);
   // The ellipse is spread over twice the distance between two pixels along its long axis, which OpenImageIO
   // takes the derivatives to be; here they are what one sample of many stands for.
-  const glm::mat2 linear(texture.transform);
-  glm::vec2 longAxis = 0.5f * (linear * footprint.longAxis);
-  glm::vec2 shortAxis = linear * footprint.shortAxis;
+  longAxis *= 0.5f;
   const Size size = file.image->size;
   const float longLength = glm::length(longAxis);
   const float shortLength = glm::length(shortAxis);
@@ -178,10 +222,10 @@ glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
 
   const glm::vec3 at = texture.transform * glm::vec3(uv, 1.0f);
   alignas(16) std::array<float, 4> value{};
-  if (!system_->texture(file.handle, lookupsOf(file), options, reduced(at.x, texture.wrapU),
-                        reduced(at.y, texture.wrapV), longAxis.x, longAxis.y, shortAxis.x, shortAxis.y, 4,
-                        value.data())) {
-    throw CannotContinue(system_->geterror());
+  if (!cache_->system->texture(file.handle, cache_->lookupsOf(index), options, reduced(at.x, texture.wrapU),
+                               reduced(at.y, texture.wrapV), longAxis.x, longAxis.y, shortAxis.x, shortAxis.y,
+                               4, value.data())) {
+    throw CannotContinue(cache_->system->geterror());
   }
   return {value[0], value[1], value[2], value[3]};
 }

@@ -2,21 +2,12 @@
 // Filtered texture lookups, by OpenImageIO's texture system: mip-mapped, anisotropic, within a budget of
 // memory.
 
-#include <OpenImageIO/imagecache.h>
-#include <OpenImageIO/texture.h>
-#include <tbb/enumerable_thread_specific.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
-#include <vector>
 
 #include "src/core/renderer.h"
 #include "src/render/detail.h"
-#include "src/render/texture_input.h"
 #include "src/scene/scene.h"
 
 namespace promenade::render {
@@ -53,24 +44,8 @@ class TextureLibrary {
   [[nodiscard]] TextureUse use() const;
 
  private:
-  struct File : TextureFile {
-    OIIO::TextureSystem::TextureHandle* handle = nullptr;  ///< null: no material reads it
-  };
-  struct Destroy {
-    void operator()(OIIO::ImageCache* cache) const { OIIO::ImageCache::destroy(cache); }
-    void operator()(OIIO::TextureSystem* system) const { OIIO::TextureSystem::destroy(system); }
-  };
-  /// What OpenImageIO needs to know of a thread. It keeps hold of the two tiles looked at last.
-  using Lookups = std::vector<OIIO::TextureSystem::Perthread*>;
-  [[nodiscard]] OIIO::TextureSystem::Perthread* lookupsOf(const File& file) const;
-  void addFile(const Scene& scene, const Texture& texture);
-  [[nodiscard]] const File& fileOf(const Texture& texture) const;
-
-  std::vector<File> files_;  // two an image: sRGB, linear
-  std::unique_ptr<OIIO::ImageCache, Destroy> cache_;
-  std::unique_ptr<OIIO::TextureSystem, Destroy> system_;
-  bool isRoomy_ = false;  ///< the budget holds every texture whole
-  mutable tbb::enumerable_thread_specific<Lookups> lookups_;
+  struct Cache;  // OpenImageIO's
+  std::unique_ptr<Cache> cache_;
 };
 
 }  // namespace promenade::render

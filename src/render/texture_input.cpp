@@ -1,4 +1,4 @@
-#include "src/render/texture_input.h"
+#include "src/render/texture_input_internal.h"
 
 #include <OpenImageIO/imageio.h>
 

@@ -16,6 +16,7 @@
 
 #include "src/core/display.h"
 #include "src/core/errors.h"
+#include "src/render/texture_input_internal.h"
 #include "tests/render/scenes.h"
 
 namespace promenade::render {
