@@ -30,12 +30,22 @@ SurfaceTolerance::SurfaceTolerance(const Camera& camera, const glm::dvec3& other
       rounding_(static_cast<float>(
           kRounding * std::max(largestCoordinate(camera.pose().eye), largestCoordinate(otherEye)))) {}
 
+SampledSurface::SampledSurface(const Visibility& source, const glm::dvec3& otherEye, double creaseDegrees)
+    : visibility_(source),
+      rays_(source.camera),
+      tolerance_(source.camera, otherEye),
+      creaseCosine_(static_cast<float>(std::cos(creaseDegrees * std::numbers::pi / 180.0))) {}
+
+SurfacePoint SampledSurface::pointOf(int x, int y) const {
+  const ItemId item = visibility_.item(x, y);
+  if (item == kNoItem) return {};
+  const float depth = visibility_.depth(x, y);
+  return {item, depth * rays_.through(x, y), visibility_.normal(x, y), tolerance(depth)};
+}
+
 SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees)
-    : visibility_(source.visibility),
+    : SampledSurface(source.visibility, otherEye, creaseDegrees),
       traced_(source.source),
-      rays_(source.visibility.camera),
-      tolerance_(source.visibility.camera, otherEye),
-      creaseCosine_(static_cast<float>(std::cos(creaseDegrees * std::numbers::pi / 180.0))),
       smoothBlocks_(source.visibility.depth.size()) {
   const Size size = smoothBlocks_.size();
   // A cell is smooth if its 2x2 samples are linked around; a block if its 3x3 cells are.
@@ -75,13 +85,6 @@ SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, do
       out[x] = static_cast<std::uint8_t>(column(x - 1) & column(x) & column(x + 1));
     }
   });
-}
-
-SurfacePoint SourceSurface::pointOf(int x, int y) const {
-  const ItemId item = visibility_.item(x, y);
-  if (item == kNoItem) return {};
-  const float depth = visibility_.depth(x, y);
-  return {item, depth * rays_.through(x, y), visibility_.normal(x, y), tolerance(depth)};
 }
 
 }  // namespace promenade::ibr

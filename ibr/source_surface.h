@@ -63,34 +63,44 @@ class SurfaceTolerance {
   float rounding_;
 };
 
-/// The surfaces that the samples of a source frame lie on. Keeps references to the frame.
-class SourceSurface {
+/// The surfaces that the samples of a frame lie on. Keeps a reference to the visibility.
+class SampledSurface {
  public:
   /// `otherEye` is the eye of the target. `creaseDegrees`: the largest angle between the normals of samples
   /// that agree.
-  SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees);
+  SampledSurface(const Visibility& source, const glm::dvec3& otherEye, double creaseDegrees);
 
   /// Tolerance for points at this depth of the source, metres.
   [[nodiscard]] float tolerance(float sourceDepth) const { return tolerance_(sourceDepth); }
 
   [[nodiscard]] bool contains(int x, int y) const { return visibility_.depth.contains(x, y); }
-  /// Whether sample (x, y) was ray traced, and may be a source at all.
-  [[nodiscard]] bool isTraced(int x, int y) const;
   /// Whether sample (x, y) shows the surface of `point`. Precondition: contains(x, y).
   [[nodiscard]] bool agrees(int x, int y, const SurfacePoint& point) const;
-  /// Whether the 4x4 samples (x-1..x+2, y-1..y+2) are all traced and lie on one smooth surface.
-  [[nodiscard]] bool isSmoothBlock(int x, int y) const {
-    return smoothBlocks_.contains(x, y) && smoothBlocks_(x, y) != 0;
-  }
   /// The surface at a sample. Precondition: contains(x, y).
   [[nodiscard]] SurfacePoint pointOf(int x, int y) const;
 
  private:
   const Visibility& visibility_;
-  const SourceMap& traced_;
   RayBasis rays_;
   SurfaceTolerance tolerance_;
   float creaseCosine_;
+};
+
+/// The same of a frame of which some samples were ray traced, and only those may be sources. Keeps references
+/// to the frame.
+class SourceSurface : public SampledSurface {
+ public:
+  SourceSurface(const Frame& source, const glm::dvec3& otherEye, double creaseDegrees);
+
+  /// Whether sample (x, y) was ray traced, and may be a source at all.
+  [[nodiscard]] bool isTraced(int x, int y) const;
+  /// Whether the 4x4 samples (x-1..x+2, y-1..y+2) are all traced and lie on one smooth surface.
+  [[nodiscard]] bool isSmoothBlock(int x, int y) const {
+    return smoothBlocks_.contains(x, y) && smoothBlocks_(x, y) != 0;
+  }
+
+ private:
+  const SourceMap& traced_;
   Mask smoothBlocks_;
 };
 
@@ -102,7 +112,7 @@ inline bool SourceSurface::isTraced(int x, int y) const {
          source == SampleSource::kTracedItem;
 }
 
-inline bool SourceSurface::agrees(int x, int y, const SurfacePoint& point) const {
+inline bool SampledSurface::agrees(int x, int y, const SurfacePoint& point) const {
   if (visibility_.item(x, y) != point.item) return false;
   if (point.item == kNoItem) return true;
   const glm::vec3& normal = visibility_.normal(x, y);

@@ -82,7 +82,9 @@ void addRender(CLI::App& verb, RenderOptions& o) {
       ->capture_default_str();
   verb.add_option("--tolerance", o.tolerance, "Per cent of pixels that may differ visibly")
       ->capture_default_str();
-  verb.add_option("--spacing", o.spacing, "Frames from keyframe to keyframe at first")->capture_default_str();
+  verb.add_option("--spacing", o.spacing,
+                  "Frames from keyframe to keyframe at most, at first: fewer where more would cost more")
+      ->capture_default_str();
   verb.add_option(
           "--verify", o.verify,
           "Per cent of the warped samples of a segment's middle that are ray traced to check the warp")

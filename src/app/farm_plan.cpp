@@ -29,8 +29,7 @@ Task taskFrom(const nlohmann::json& value) {
 
 }  // namespace
 
-std::vector<Task> tasksOf(const walkthrough::Settings& settings) {
-  const walkthrough::Plan parts = partsOf(settings);
+std::vector<Task> tasksOf(const walkthrough::Plan& parts) {
   std::vector<Task> tasks{{TaskKind::kPrepare, {}}};
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const int shared = parts[i].first;

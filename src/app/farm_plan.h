@@ -15,7 +15,7 @@ namespace promenade::app {
 enum class TaskKind {
   kPrepare,   ///< light solution and exposure: once for the walk
   kKeyframe,  ///< a keyframe that two parts share
-  kPart,      ///< a part of the walk (walkthrough::partsOf)
+  kPart,      ///< a part of the walk (division.h)
 };
 
 struct Task {
@@ -39,7 +39,7 @@ struct FarmPlan {
 };
 
 /// One kPrepare, a kKeyframe for every keyframe between parts, a kPart for every part.
-[[nodiscard]] std::vector<Task> tasksOf(const walkthrough::Settings& settings);
+[[nodiscard]] std::vector<Task> tasksOf(const walkthrough::Plan& parts);
 /// None is empty.
 [[nodiscard]] std::vector<Stage> stagesOf(const std::vector<Task>& tasks);
 /// Frames that two parts share.

@@ -22,8 +22,6 @@ double Forecast::keyframeSeconds() const {
 }
 
 std::string Forecast::firstEstimate() const {
-  // The first frame, every spacing-th after it, and the last.
-  const int fewest = frames_ == 1 ? 1 : 1 + (frames_ - 1 + spacing_ - 1) / spacing_;
   const double each = keyframeSeconds();
   char text[160];
   if (each < 1.0) {
@@ -32,8 +30,8 @@ std::string Forecast::firstEstimate() const {
     std::snprintf(text, sizeof(text), "a keyframe takes %s", duration(each).c_str());
   }
   std::string line = text;
-  line += ": " + duration(fewest * each);
-  if (fewest < frames_) line += " to " + duration(frames_ * each);
+  line += ": " + duration(fewestKeyframes_ * each);
+  if (fewestKeyframes_ < frames_) line += " to " + duration(frames_ * each);
   return line + " for " + (frames_ == 1 ? "the frame" : "all " + std::to_string(frames_) + " frames");
 }
 

@@ -11,8 +11,8 @@ namespace promenade::app {
 /// time.
 class Forecast {
  public:
-  /// `frames`, >= 1, of which every `spacing`-th, >= 1, is a keyframe at the least.
-  Forecast(int frames, int spacing) : frames_(frames), spacing_(spacing) {}
+  /// `frames`, >= 1, of which so many, >= 1, are keyframes at the least.
+  Forecast(int frames, int keyframes) : frames_(frames), fewestKeyframes_(keyframes) {}
 
   void keyframeRendered(double seconds);
   void frameFinished(bool keyframe);
@@ -30,7 +30,7 @@ class Forecast {
   [[nodiscard]] double keyframeSeconds() const;
 
   int frames_;
-  int spacing_;
+  int fewestKeyframes_;
   int keyframesRendered_ = 0;
   int keyframesFinished_ = 0;
   int framesFinished_ = 0;

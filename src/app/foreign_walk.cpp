@@ -110,7 +110,7 @@ ForeignWalk askedWalk(const RenderOptions& options) {
   job.path = externalPath(options, job.values);
   job.settings = foreignSettings(job);
   job.hash = jobHash(options, job.settings, Scene{}, job.path);
-  walk.parts = partsOf(job.settings);
+  walk.parts = equalPartsOf(job.settings);
   return walk;
 }
 

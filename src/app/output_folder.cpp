@@ -59,8 +59,8 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing ex
 
 void OutputFolder::removeJob() const {
   // The report first and the records before the frames: whenever this ends, nothing claims to be done.
-  for (const char* name :
-       {"report.json", "report.html", "walkthrough.mp4", "plan.json", "prepared.json", "light.json"}) {
+  for (const char* name : {"report.json", "report.html", "walkthrough.mp4", "plan.json", "prepared.json",
+                           "light.json", "division.json"}) {
     removeFile(folder_ / name);
   }
   for (const char* records : {"parts", "tasks"}) {

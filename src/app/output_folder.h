@@ -1,7 +1,7 @@
 #pragma once
 // The folder a job fills: frames/000000.exr and on, walkthrough.mp4, report.json, report.html, maps/, and
-// what is needed to go on with it: prepared.json, light.json, parts/. A plan for many machines (farm_plan.h)
-// adds plan.json, tasks/, keyframes/.
+// what is needed to go on with it: prepared.json, light.json, division.json, parts/. A plan for many machines
+// (farm_plan.h) adds plan.json, tasks/, keyframes/.
 
 #include <filesystem>
 #include <string>

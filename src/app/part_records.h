@@ -1,5 +1,5 @@
 #pragma once
-// What was done of a job: DIR/parts/000000.json, one a part (walkthrough::partsOf), written when the part's
+// What was done of a job: DIR/parts/000000.json, one a part (division.h), written when the part's
 // frames are whole. From these a job is resumed, and the report of all of it is made.
 
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include "src/app/fingerprint.h"
 #include "src/app/interrupt.h"
+#include "src/app/job_record.h"
 #include "src/app/solved_light.h"
 #include "src/core/errors.h"
 #include "src/io/json.h"
@@ -31,15 +32,6 @@ std::filesystem::path lightFile(const LoadedJob& job, const OutputFolder& folder
                                            : std::filesystem::path(job.options.lightSolution);
 }
 
-std::unique_ptr<Renderer> makeRenderer(const LoadedJob& job, const Solution& solution, int threads) {
-  return render::makePathRenderer(
-      job.scene, {.pathsPerSample = job.values.pathsPerSample.value_or(render::PathSettings{}.pathsPerSample),
-                  .seed = job.values.seed,
-                  .threads = threads,
-                  .solution = solution,
-                  .checkpoint = [] { throwIfInterrupted(); }});
-}
-
 nlohmann::ordered_json toJson(const LightUse& light) {
   const auto& [file, records, recordsAdded, cameras, rays] = light.report;
   return {{"fingerprint", light.fingerprint}, {"file", file},       {"records", records},
@@ -54,21 +46,6 @@ LightUse lightFrom(const nlohmann::json& value) {
            .recordsAdded = value.at("records_added"),
            .cameras = value.at("cameras"),
            .rays = value.at("rays")}};
-}
-
-// What `read` makes of a record of this job; nothing if the file is missing, of another job, or not of this
-// program.
-template <class Read>
-auto fromRecord(const std::filesystem::path& file, const std::string& jobHash, const Read& read)
-    -> std::optional<decltype(read(nlohmann::json()))> {
-  if (!std::filesystem::is_regular_file(file)) return std::nullopt;
-  try {
-    const nlohmann::json root = nlohmann::json::parse(io::readTextFile(file));
-    if (root.at("job") != jobHash) return std::nullopt;
-    return read(root);
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  }
 }
 
 // What making the light cost is written before the light itself: a run that is killed between them leaves a
@@ -114,6 +91,16 @@ Solution lightAsBefore(const LoadedJob& job, const OutputFolder& folder, const P
 
 }  // namespace
 
+std::unique_ptr<Renderer> rendererOf(const LoadedJob& job,
+                                     std::shared_ptr<const render::LightSolution> solution, int threads) {
+  return render::makePathRenderer(
+      job.scene, {.pathsPerSample = job.values.pathsPerSample.value_or(render::PathSettings{}.pathsPerSample),
+                  .seed = job.values.seed,
+                  .threads = threads,
+                  .solution = std::move(solution),
+                  .checkpoint = [] { throwIfInterrupted(); }});
+}
+
 std::optional<Preparation> preparationIn(const OutputFolder& folder, const std::string& jobHash) {
   const std::filesystem::path file = folder.file(kFileName);
   const auto read = [&](const nlohmann::json& root) -> std::optional<Preparation> {
@@ -149,7 +136,7 @@ PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int thread
   }
   {
     const Stopwatch watch(prepared.secondsBuilding);
-    prepared.renderer = makeRenderer(job, solution, threads);
+    prepared.renderer = rendererOf(job, solution, threads);
   }
   if (known) return prepared;
   {

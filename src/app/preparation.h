@@ -10,6 +10,7 @@
 #include "src/app/output_folder.h"
 #include "src/app/render_job.h"
 #include "src/core/renderer.h"
+#include "src/render/path_renderer.h"
 #include "src/walkthrough/report.h"
 
 namespace promenade::app {
@@ -32,6 +33,11 @@ struct PreparedJob {
   std::unique_ptr<Renderer> renderer;
   double secondsBuilding = 0.0;  ///< of the renderer
 };
+
+/// Traces the job's scene; without `solution` by paths alone. `job` must outlive it.
+[[nodiscard]] std::unique_ptr<Renderer> rendererOf(const LoadedJob& job,
+                                                   std::shared_ptr<const render::LightSolution> solution,
+                                                   int threads);
 
 /// Ready to render. The choices are those of DIR/prepared.json if it is of this job, else they are made and
 /// written there. Throws InputError if the file of the light solution is not the one the job began with: the

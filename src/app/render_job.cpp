@@ -94,7 +94,7 @@ RenderValues renderValues(const RenderOptions& options) {
   v.antialiasing = antialiasingFrom(options);
   if (options.spp != "auto") v.pathsPerSample = integerFrom(options.spp, 1, 1 << 20, "--spp");
   v.tolerancePercent = numberFrom(options.tolerance, 0.0, 100.0, "--tolerance");
-  v.spacing = integerFrom(options.spacing, 1, 1'000'000, "--spacing");
+  v.spacing = integerFrom(options.spacing, 1, 256, "--spacing");
   v.verifyPercent = numberFrom(options.verify, 0.0, 100.0, "--verify");
   v.footprintLimit = numberFrom(options.footprintLimit, 0.01, 1000.0, "--footprint-limit");
   v.method = choiceFrom(options.method, {"ibr", "full"}, "--method") == "full"
@@ -116,6 +116,8 @@ RenderValues renderValues(const RenderOptions& options) {
   settings.size = v.size;
   settings.supersample = v.supersample;
   settings.antialiasing = v.antialiasing;
+  settings.keyframeSpacing = v.spacing;
+  settings.frames = {0, v.spacing};  // no more are held at once
   requireMemory(walkthrough::memoryNeededBytes(settings), availableMemoryBytes());
   return v;
 }

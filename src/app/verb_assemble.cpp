@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "src/app/division.h"
 #include "src/app/farm_job.h"
 #include "src/app/farm_progress.h"
 #include "src/app/job_report.h"
@@ -50,6 +51,7 @@ ExitStatus runAssemble(const AssembleOptions& options, Console& console) {
 
   walkthrough::Report report = reportOf(job, *choices, threads.count());
   report.statistics = std::move(statistics);
+  if (const auto division = divisionIn(folder, job.hash)) report.seconds.plan = division->seconds;
   WalkVideo video(
       job.options.video.empty() ? folder.file("walkthrough.mp4") : std::filesystem::path(job.options.video),
       folder, report.settings, job.path.framesPerSecond);
@@ -61,7 +63,8 @@ ExitStatus runAssemble(const AssembleOptions& options, Console& console) {
   report.seconds.encode = video.seconds();
   report.seconds.write = report.statistics.seconds.output;
   report.peakResidentBytes = std::max(tasks.peakResidentBytes, peakResidentBytes());
-  report.wallSeconds = tasks.wallSeconds + std::chrono::duration<double>(Clock::now() - start).count();
+  report.wallSeconds =
+      tasks.wallSeconds + report.seconds.plan + std::chrono::duration<double>(Clock::now() - start).count();
   warnOfNoise(report.statistics, console);
   writeReport(report, folder, console);
   folder.removeKeyframes();

@@ -1,10 +1,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "src/app/division.h"
 #include "src/app/farm_plan.h"
 #include "src/app/open_job_description.h"
 #include "src/app/output_folder.h"
+#include "src/app/preparation.h"
 #include "src/app/render_job.h"
+#include "src/app/threads.h"
 #include "src/app/verbs.h"
 #include "src/io/json.h"
 
@@ -20,7 +23,10 @@ ExitStatus runPlan(const RenderOptions& options, Console& console) {
   plan.jobHash = job.hash;
   plan.workingFolder = std::filesystem::current_path();
   plan.arguments = argumentsOf(options);
-  plan.tasks = tasksOf(job.settings);
+  const ThreadLimit threads(job.values.threads);
+  std::optional<Division> division = divisionIn(folder, job.hash);
+  if (!division) division = divide(job, *rendererOf(job, nullptr, threads.count()), folder, console);
+  plan.tasks = tasksOf(division->parts);
   writePlan(folder.file("plan.json"), plan);
   io::writeJson(folder.file("template.openjd.json"), openJobTemplate(job.path.name, plan.tasks));
 

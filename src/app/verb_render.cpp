@@ -16,7 +16,7 @@ ExitStatus runRender(const RenderOptions& options, Console& console) {
   const auto prepared = [&](const OutputFolder& folder) {
     return prepare(job, folder, threads.count(), console);
   };
-  return runWalk(job, partsOf(job.settings), threads.count(), prepared, console);
+  return runWalk(job, std::nullopt, threads.count(), prepared, console);
 }
 
 }  // namespace promenade::app

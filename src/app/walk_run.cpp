@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "src/app/division.h"
 #include "src/app/elapsed.h"
 #include "src/app/forecast.h"
 #include "src/app/frame_output.h"
@@ -47,9 +48,14 @@ void renderMissing(const LoadedJob& job, const Renderer& renderer, const walkthr
                    walkthrough::Outputs outputs, const PartRecords& records, Progression& progression,
                    Console& console) {
   int frames = 0;
-  for (const Segment& part : progression.missing) frames += framesOf(part, settings.frames).count();
-  const bool full = settings.method == walkthrough::Method::kFull;
-  Forecast forecast(frames, full ? 1 : settings.keyframeSpacing);
+  int keyframes = 0;
+  for (const Segment& part : progression.missing) {
+    const walkthrough::FrameRange delivered = framesOf(part, settings.frames);
+    frames += delivered.count();
+    keyframes += part.last != part.first && delivered.last == part.last ? 2 : 1;
+  }
+  if (settings.method == walkthrough::Method::kFull) keyframes = frames;
+  Forecast forecast(frames, keyframes);
   outputs.keyframe = [&, first = true](double seconds) mutable {
     forecast.keyframeRendered(seconds);
     if (std::exchange(first, false)) console.info(forecast.firstEstimate());
@@ -72,7 +78,7 @@ void renderMissing(const LoadedJob& job, const Renderer& renderer, const walkthr
 
 }  // namespace
 
-ExitStatus runWalk(const LoadedJob& job, const walkthrough::Plan& parts, int threads,
+ExitStatus runWalk(const LoadedJob& job, const std::optional<walkthrough::Plan>& given, int threads,
                    const PrepareWalk& prepareWalk, Console& console) {
   const auto start = Clock::now();
   const RenderOptions& options = job.options;
@@ -86,18 +92,26 @@ ExitStatus runWalk(const LoadedJob& job, const walkthrough::Plan& parts, int thr
     throw InputError(options.out, "--resume: there are no frames of this job to go on from");
   }
   const PartRecords records(folder, job.hash, job.settings.frames);
-  Progression progression = progressionOf(records, parts);
-  if (progression.missing.empty() && std::filesystem::exists(videoFile) && isReported(folder)) {
+  std::optional<Division> division = given ? Division{*given} : divisionIn(folder, job.hash);
+  const bool isDivided = division.has_value();
+  Progression progression = progressionOf(records, isDivided ? division->parts : walkthrough::Plan());
+  if (isDivided && progression.missing.empty() && std::filesystem::exists(videoFile) && isReported(folder)) {
     console.result(options.out + ": all frames of this job are there; --overwrite renders them again\n");
     return ExitStatus::kDone;
   }
 
   const std::optional<Preparation> earlier = preparationIn(folder, job.hash);
   const PreparedJob prepared = prepareWalk(folder);
+  if (!isDivided) {
+    division = divide(job, *prepared.renderer, folder, console);
+    progression = progressionOf(records, division->parts);
+  }
   walkthrough::Report report = reportOf(job, prepared.choices, threads);
   report.seconds.load += prepared.secondsBuilding;
+  report.seconds.plan = division->seconds;
   // What this run does not do again was paid for by an earlier one.
   if (earlier) report.wallSeconds += earlier->secondsIndirect + earlier->secondsChoosing;
+  if (isDivided) report.wallSeconds += division->seconds;
   for (const auto& [first, record] : progression.done) {
     report.wallSeconds += record.wallSeconds;
     report.seconds.write += record.statistics.seconds.output;

@@ -2,6 +2,7 @@
 // From a job and its renderer to frames, video and report; what an earlier run finished is not done again.
 
 #include <functional>
+#include <optional>
 
 #include "src/app/console.h"
 #include "src/app/exit_status.h"
@@ -14,8 +15,9 @@ namespace promenade::app {
 /// Decides what is decided once for the job before its first frame, and makes its renderer.
 using PrepareWalk = std::function<PreparedJob(const OutputFolder&)>;
 
-/// Renders `parts` of the job (those of partsOf(), or others that cover its frames) into the job's folder.
-ExitStatus runWalk(const LoadedJob& job, const walkthrough::Plan& parts, int threads,
+/// Renders the job into its folder. `given`: its parts, where they are not for Promenade's renderer to find
+/// (division.h).
+ExitStatus runWalk(const LoadedJob& job, const std::optional<walkthrough::Plan>& given, int threads,
                    const PrepareWalk& prepareWalk, Console& console);
 
 }  // namespace promenade::app

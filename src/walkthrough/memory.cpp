@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "src/walkthrough/walkthrough.h"
@@ -17,7 +18,13 @@ double memoryNeededBytes(const Settings& settings) {
   // The window of the filter, and its sums and what it moves (36 bytes a sample) beside it.
   const double filtered = settings.antialiasing ? settings.antialiasing->frames() + 1.0 : 0.0;
   const double metric = settings.method == Method::kFull ? 200.0 : 1000.0;
-  return samples * 45.0 * (frames + others + filtered) + static_cast<double>(settings.size.area()) * metric;
+  const double walk =
+      samples * 45.0 * (frames + others + filtered) + static_cast<double>(settings.size.area()) * metric;
+  // Before it, placing keyframes: of a window of frames what they see (20 bytes a sample of 14400), and what
+  // each finds in each (3600 bits and their vector).
+  const double window = std::min(settings.keyframeSpacing, settings.frames.count() - 1) + 1.0;
+  const double placing = settings.method == Method::kFull ? 0.0 : window * (20.0 * 14400.0 + window * 500.0);
+  return std::max(walk, placing);
 }
 
 }  // namespace promenade::walkthrough

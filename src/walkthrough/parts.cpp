@@ -4,10 +4,10 @@
 
 namespace promenade::walkthrough {
 
-Plan partsOf(const Settings& settings) {
+Plan equalPartsOf(const Settings& settings) {
   // Filtered frames need others.
   if (settings.method == Method::kImageBased || settings.antialiasing) {
-    return firstSegments(settings.frames, settings.keyframeSpacing);
+    return equalSegments(settings.frames, settings.keyframeSpacing);
   }
   Plan frames;
   for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {

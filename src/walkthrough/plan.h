@@ -2,6 +2,7 @@
 // Which frames are ray traced whole. The rule knows nothing of rendering: it asks a judge.
 // Source: Myszkowski, Rokita, Tawara 2000, section 4 (adaptive subdivision of segments).
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -35,9 +36,19 @@ using Judge = std::function<Decision(const Segment&)>;
 /// is judged.
 using Accepted = std::function<void(const Segment&)>;
 
-/// `range` in first segments of `spacing` frames (the last may be shorter). They need nothing from each other
-/// but the keyframes they share. Preconditions (asserted): range is not empty, spacing >= 1.
-[[nodiscard]] Plan firstSegments(FrameRange range, int spacing);
+/// `range` in as few first segments of at most `longest` frames as there can be, of equal length to a frame.
+/// Preconditions (asserted): range is not empty, longest >= 1.
+[[nodiscard]] Plan equalSegments(FrameRange range, int longest);
+
+/// What the segments cost that begin with frame `first`: entry k that of (first, first + 1 + k), >= 0. As
+/// many as there are.
+using SegmentCosts = std::function<std::vector<std::int64_t>(int first)>;
+
+/// The division of `range` into first segments that costs least in all (a shortest path: Bellman 1958). Of
+/// several such, one whose lengths have the least sum of squares. `costsFrom` is asked once for every frame
+/// of the range but the last, in the order of time; what it gives beyond the range does not count.
+/// Preconditions (asserted): range is not empty, and no answer is.
+[[nodiscard]] Plan cheapestSegments(FrameRange range, const SegmentCosts& costsFrom);
 
 /// Splits a first segment in the middle for as long as the judge says so, down to neighbouring frames.
 Plan subdivide(const Segment& first, const Judge& judge, const Accepted& accepted);

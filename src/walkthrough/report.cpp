@@ -120,6 +120,7 @@ OrderedJson totalsJson(const Report& report) {
            {{"load", o.load},
             {"indirect", o.indirect},
             {"prepare", o.prepare},
+            {"plan", o.plan},
             {"trace", s.seconds.trace},
             {"visibility", s.seconds.visibility},
             {"warp", s.seconds.warp},

@@ -38,6 +38,7 @@ struct OutsideSeconds {
   double load = 0.0;      ///< scene, path, acceleration structures
   double indirect = 0.0;  ///< a baked indirect solution
   double prepare = 0.0;   ///< choosing the exposure
+  double plan = 0.0;      ///< placing keyframes
   double encode = 0.0;    ///< video
   double write = 0.0;     ///< frames and maps
 };

@@ -11,6 +11,7 @@
 #include "src/walkthrough/finishing.h"
 #include "src/walkthrough/inbetween.h"
 #include "src/walkthrough/judge.h"
+#include "src/walkthrough/keyframe_placement.h"
 #include "src/walkthrough/stopping.h"
 #include "src/walkthrough/verify.h"
 #include "src/walkthrough/view.h"
@@ -326,6 +327,14 @@ class Walk {
 
 }  // namespace
 
+Plan partsOf(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+             const ProgressCallback& progress) {
+  validate(path, settings);
+  if (settings.method == Method::kFull) return equalPartsOf(settings);
+  return placeKeyframes(path, renderer,
+                        {settings.frames, settings.keyframeSpacing, settings.size, settings.warp}, progress);
+}
+
 Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
                        const Plan& parts, const Outputs& outputs, const KeyframeStore* store) {
   validate(path, settings);
@@ -341,8 +350,7 @@ Keyframe traceKeyframe(const paths::CameraPath& path, const Renderer& renderer, 
 
 Statistics renderWalkthrough(const paths::CameraPath& path, const Renderer& renderer,
                              const Settings& settings, const Outputs& outputs) {
-  validate(path, settings);
-  return renderParts(path, renderer, settings, partsOf(settings), outputs);
+  return renderParts(path, renderer, settings, partsOf(path, renderer, settings), outputs);
 }
 
 }  // namespace promenade::walkthrough

@@ -58,7 +58,7 @@ struct Settings {
   FrameRange frames;     ///< of the path
   Method method = Method::kImageBased;
   double tolerancePercent = 3.0;  ///< of the remaining pixels with P > 0.75; above it a segment is split
-  int keyframeSpacing = 16;       ///< frames of a first segment
+  int keyframeSpacing = 32;       ///< frames of the longest first segment
   Holes holes = Holes::kTraced;
   /// Share of the warped samples of a segment's middle that are ray traced to check the warp, in [0, 1]; 0:
   /// none.
@@ -123,16 +123,24 @@ struct Outputs {
 };
 
 /// The parts of a walk that can be rendered apart from each other, on any machine, in any order, with the
-/// same result: first segments; single frames with Method::kFull, unless frames are filtered together.
-[[nodiscard]] Plan partsOf(const Settings& settings);
+/// same result: first segments, divided where it costs least (keyframe_placement.h); single frames with
+/// Method::kFull, or first segments of equal length if frames are filtered together. A function of the job:
+/// the number of threads changes nothing. `progress` may be empty; may throw Interrupted. Throws InputError
+/// as renderParts() does.
+[[nodiscard]] Plan partsOf(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
+                           const ProgressCallback& progress = {});
+
+/// The same where nobody can say what frames see before they are made, or need not: first segments of equal
+/// length. Preconditions as of equalSegments().
+[[nodiscard]] Plan equalPartsOf(const Settings& settings);
 
 /// The frames that a part delivers and counts: all but its last keyframe, which belongs to the part that
 /// begins with it.
 [[nodiscard]] FrameRange framesOf(const Segment& part, FrameRange walk);
 
-/// Renders these of partsOf(settings), in the order of time. Memory does not grow with their number. Throws
-/// InputError if the settings make no sense for the path (frames outside of it, sizes < 1, tolerance outside
-/// [0, 100], probes outside [0, 1]).
+/// Renders these parts of a division of settings.frames, in the order of time. Memory does not grow with
+/// their number. Throws InputError if the settings make no sense for the path (frames outside of it, sizes <
+/// 1, tolerance outside [0, 100], probes outside [0, 1]).
 Statistics renderParts(const paths::CameraPath& path, const Renderer& renderer, const Settings& settings,
                        const Plan& parts, const Outputs& outputs, const KeyframeStore* store = nullptr);
 

@@ -22,16 +22,18 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 
-walkthrough::Settings walkOf(int frames, int spacing) {
-  walkthrough::Settings settings;
-  settings.frames = {0, frames - 1};
-  settings.keyframeSpacing = spacing;
-  return settings;
+walkthrough::Plan threeParts() {
+  return {{0, 8, 0}, {8, 16, 0}, {16, 20, 0}};
+}
+
+walkthrough::Plan singleFrames(int count) {
+  walkthrough::Plan frames;
+  for (int frame = 0; frame < count; ++frame) frames.push_back({frame, frame, 0});
+  return frames;
 }
 
 TEST(FarmPlan, HasTheKeyframesBetweenPartsAsTasksOfTheirOwn) {
-  // 0-8, 8-16, 16-20: shared are 8 and 16.
-  const auto tasks = tasksOf(walkOf(21, 8));
+  const auto tasks = tasksOf(threeParts());
   std::vector<std::string> described;
   for (const Task& task : tasks) described.push_back(describe(task));
   EXPECT_THAT(described, ElementsAre("light and exposure", "keyframe 8", "keyframe 16", "frames 0 to 8",
@@ -46,9 +48,7 @@ TEST(FarmPlan, HasTheKeyframesBetweenPartsAsTasksOfTheirOwn) {
 }
 
 TEST(FarmPlan, OfAFullRenderSharesNothing) {
-  walkthrough::Settings settings = walkOf(3, 8);
-  settings.method = walkthrough::Method::kFull;
-  const auto tasks = tasksOf(settings);
+  const auto tasks = tasksOf(singleFrames(3));
   EXPECT_EQ(tasks.size(), 4u);
   EXPECT_TRUE(sharedKeyframes(tasks).empty());
 }
@@ -57,7 +57,7 @@ TEST(FarmPlan, ComesBackFromItsFile) {
   const auto folder =
       std::filesystem::path(testing::TempDir()) / ("promenade-plan-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
-  const FarmPlan plan{"0123", "/somewhere/else", {"a b.glb", "--size=32x18"}, tasksOf(walkOf(21, 8))};
+  const FarmPlan plan{"0123", "/somewhere/else", {"a b.glb", "--size=32x18"}, tasksOf(threeParts())};
   writePlan(folder / "plan.json", plan);
   const FarmPlan read = readPlan(folder / "plan.json");
   EXPECT_EQ(read.jobHash, plan.jobHash);
@@ -92,7 +92,7 @@ TEST(FarmPlan, RemembersTheJobAndNotTheRun) {
 }
 
 TEST(OpenJobDescription, HasAStepAStageEachAfterTheOneBefore) {
-  const auto root = openJobTemplate("walk", tasksOf(walkOf(21, 8)));
+  const auto root = openJobTemplate("walk", tasksOf(threeParts()));
   EXPECT_EQ(root["specificationVersion"], "jobtemplate-2023-09");
   const auto& steps = root["steps"];
   ASSERT_EQ(steps.size(), 4u);
@@ -109,17 +109,15 @@ TEST(OpenJobDescription, HasAStepAStageEachAfterTheOneBefore) {
 }
 
 TEST(OpenJobDescription, NamesNoJobAfterAFormatString) {
-  const auto root = openJobTemplate("{{Param.Folder}}", tasksOf(walkOf(3, 8)));
+  const auto root = openJobTemplate("{{Param.Folder}}", tasksOf(singleFrames(3)));
   EXPECT_THAT(root["name"].get<std::string>(), testing::Not(HasSubstr("{{")));
 }
 
 TEST(Slurm, ArraysAreNoLargerThanClustersAllow) {
   // 2500 parts of one frame, after one preparation: arrays of 1000, 1000 and 500.
-  walkthrough::Settings settings = walkOf(2500, 8);
-  settings.method = walkthrough::Method::kFull;
   SubmitOptions options;
   options.cpus = "4";
-  const auto tasks = tasksOf(settings);
+  const auto tasks = tasksOf(singleFrames(2500));
   std::vector<int> all(tasks.size());
   std::iota(all.begin(), all.end(), 0);
   const auto submissions = submissionsOf(tasks, all, "/job", options);
@@ -133,12 +131,12 @@ TEST(Slurm, ArraysAreNoLargerThanClustersAllow) {
 
 TEST(Slurm, OnlyWhatIsMissingIsSubmittedAgain) {
   // 0: light, 1-2: keyframes 8 and 16, 3-5: parts.
-  const auto submissions = submissionsOf(tasksOf(walkOf(21, 8)), {3, 5}, "/job", {});
+  const auto submissions = submissionsOf(tasksOf(threeParts()), {3, 5}, "/job", {});
   ASSERT_EQ(submissions.size(), 2u);  // parts, assembly
   EXPECT_THAT(submissions[0].arguments, IsSupersetOf({"--array=0,2", "3"}));
   EXPECT_EQ(submissions[0].stage, 0);
   EXPECT_EQ(submissions[1].stage, 1);
-  EXPECT_EQ(submissionsOf(tasksOf(walkOf(21, 8)), {}, "/job", {}).size(), 1u);
+  EXPECT_EQ(submissionsOf(tasksOf(threeParts()), {}, "/job", {}).size(), 1u);
   EXPECT_EQ(arrayOf({0, 1, 2, 5, 7, 8}), "0-2,5,7-8");
 }
 

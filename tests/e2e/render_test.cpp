@@ -225,7 +225,8 @@ TEST_F(Render, CtrlCLeavesOnlyWholeFilesAndStatus130) {
   const auto scene = writeScene(folder_, "scene", With::kAll, 400.0f);
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string out = at("out" + std::to_string(signal));
-    Process process(render(scene, out, {"--integrator", "path"}));  // no solution for 10,000 frames first
+    // Neither a solution nor keyframes to be placed for 10,000 frames first.
+    Process process(render(scene, out, {"--integrator", "path", "--method", "full"}));
     waitForFrames(out);
     process.send(signal);
     const Outcome outcome = process.wait(std::chrono::seconds(20));

@@ -86,8 +86,8 @@ TEST(Finishing, OfPartsInAnyOrderIsTheSameAsOfAllInOne) {
     settings.keyframeSpacing = 8;
     settings.method = method;
     const AnalyticRenderer renderer(Panel::kGlossy);
-    const Plan parts = partsOf(settings);
-    ASSERT_EQ(parts.size(), 3u);  // 2-10-18-20
+    const Plan parts = partsOf(path, renderer, settings);
+    ASSERT_EQ(parts.size(), 3u);  // 18 frames, at most 8 each
     const auto whole = rendered(path, renderer, settings, parts);
     ASSERT_EQ(whole.size(), 19u);
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
@@ -103,7 +103,7 @@ TEST(Finishing, KnowsThatNothingMovesThoughSamplePositionsDo) {
   const auto path = walk(9, 0.0);
   const AnalyticRenderer renderer(Panel::kMatt);
   const Settings settings = filteredSettings(path);
-  for (const auto& [index, frame] : rendered(path, renderer, settings, partsOf(settings))) {
+  for (const auto& [index, frame] : rendered(path, renderer, settings, equalPartsOf(settings))) {
     for (const glm::vec2& flow : frame.flowToNext.pixels()) ASSERT_EQ(flow, glm::vec2(0.0f)) << index;
   }
 }
@@ -167,7 +167,7 @@ class Antialiased : public testing::TestWithParam<Walk> {
     Settings settings = base_;
     settings.supersample = supersample;
     settings.antialiasing = antialiasing;
-    return against(truth_, rendered(path_, renderer_, settings, partsOf(settings)), path_, base_);
+    return against(truth_, rendered(path_, renderer_, settings, equalPartsOf(settings)), path_, base_);
   }
   static Quality record(const std::string& name, const Quality& quality) {
     RecordProperty(name, std::to_string(quality.error) + ", " + std::to_string(quality.percentVisible) + "%");
@@ -183,7 +183,7 @@ class Antialiased : public testing::TestWithParam<Walk> {
   [[nodiscard]] std::map<int, FinishedFrame> truth() {
     Settings settings = base_;
     settings.supersample = 8;
-    return rendered(path_, renderer_, settings, partsOf(settings));
+    return rendered(path_, renderer_, settings, equalPartsOf(settings));
   }
 
   paths::CameraPath path_ = walk(8, GetParam().metresAFrame);

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
 namespace promenade::walkthrough {
 namespace {
 
@@ -16,7 +20,7 @@ const Accepted kIgnore = [](const Segment&) {};
 // All of a walk.
 Plan planOf(FrameRange range, int spacing, const Judge& judge, const Accepted& accepted = kIgnore) {
   Plan plan;
-  for (const Segment& first : firstSegments(range, spacing)) {
+  for (const Segment& first : equalSegments(range, spacing)) {
     const Plan more = subdivide(first, judge, accepted);
     plan.insert(plan.end(), more.begin(), more.end());
   }
@@ -24,9 +28,9 @@ Plan planOf(FrameRange range, int spacing, const Judge& judge, const Accepted& a
 }
 
 TEST(Plan, KeepsFirstSegmentsThatAreAccepted) {
-  // 0..40 in steps of 16: 0-16, 16-32, and what is left, 32-40.
+  // 40 frames in three parts of 13 1/3.
   EXPECT_THAT(planOf({0, 40}, 16, always(Decision::kAccept)),
-              ElementsAre(Segment{0, 16, 0}, Segment{16, 32, 0}, Segment{32, 40, 0}));
+              ElementsAre(Segment{0, 13, 0}, Segment{13, 26, 0}, Segment{26, 40, 0}));
 }
 
 TEST(Plan, SplitsDownToNeighbouringFrames) {
@@ -74,6 +78,62 @@ TEST(Plan, ReportsSegmentsInTheOrderOfTimeBeforeItJudgesLaterOnes) {
 
 TEST(Plan, OfOneFrameIsOneSegmentWithoutInbetweens) {
   EXPECT_THAT(planOf({5, 5}, 16, always(Decision::kSplit)), ElementsAre(Segment{5, 5, 0}));
+}
+
+/// Of a segment: no two are alike.
+std::int64_t pseudorandomCost(int first, int last) {
+  return (first * 7919 + last * 104729) % 1009 + 10;
+}
+
+/// Of all divisions of (first, last) into segments of at most `longest`.
+std::int64_t cheapest(int first, int last, int longest) {
+  if (first == last) return 0;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (int next = first + 1; next <= std::min(first + longest, last); ++next) {
+    least = std::min(least, pseudorandomCost(first, next) + cheapest(next, last, longest));
+  }
+  return least;
+}
+
+SegmentCosts pseudorandomCosts(int longest) {
+  return [longest](int first) {
+    std::vector<std::int64_t> costs;
+    for (int k = 1; k <= longest; ++k) costs.push_back(pseudorandomCost(first, first + k));
+    return costs;
+  };
+}
+
+TEST(CheapestSegments, CostLeastOfAllDivisions) {
+  for (int last = 1; last <= 12; ++last) {
+    for (int longest = 1; longest <= 12; ++longest) {
+      const Plan plan = cheapestSegments({3, 3 + last}, pseudorandomCosts(longest));
+      std::int64_t cost = 0;
+      int end = 3;
+      for (const Segment& segment : plan) {
+        EXPECT_EQ(segment.first, end);
+        EXPECT_LE(segment.last - segment.first, longest);
+        cost += pseudorandomCost(segment.first, segment.last);
+        end = segment.last;
+      }
+      EXPECT_EQ(end, 3 + last);
+      EXPECT_EQ(cost, cheapest(3, 3 + last, longest)) << last << ", " << longest;
+    }
+  }
+}
+
+TEST(CheapestSegments, AreOfEqualLengthWhereAllCostTheSame) {
+  // Of 3, 3 and 2 frames in some order, with the least sum of squares.
+  const Plan plan = cheapestSegments({0, 8}, [](int) { return std::vector<std::int64_t>(3, 1); });
+  ASSERT_EQ(plan.size(), 3u);
+  int squares = 0;
+  for (const Segment& segment : plan)
+    squares += (segment.last - segment.first) * (segment.last - segment.first);
+  EXPECT_EQ(squares, 9 + 9 + 4);
+}
+
+TEST(CheapestSegments, OfOneFrameAreOneAndAskNothing) {
+  const auto unasked = [](int) -> std::vector<std::int64_t> { throw std::logic_error("asked"); };
+  EXPECT_THAT(cheapestSegments({5, 5}, unasked), ElementsAre(Segment{5, 5, 0}));
 }
 
 TEST(Plan, IsGapFreeForEveryLengthAndSpacing) {

@@ -90,7 +90,9 @@ TEST(Walkthrough, StopsARendererThatHasItsOwnNumberOfPathsAfterTheFirst) {
 TEST(Walkthrough, OfAStillCameraTracesKeyframesOnlyAndChangesNothing) {
   const auto path = still(33);
   const AnalyticRenderer renderer(Panel::kMatt);
-  const WalkResult result = walk(path, renderer, settingsFor(path));
+  Settings settings = settingsFor(path);
+  settings.keyframeSpacing = 16;
+  const WalkResult result = walk(path, renderer, settings);
   EXPECT_EQ(result.order, upTo(33));
   // Keyframes at 0, 16, 32.
   EXPECT_EQ(result.statistics.keyframes(), 3);
@@ -300,7 +302,7 @@ TEST(Walkthrough, InPartsOfAnyOrderIsTheSameAsInOne) {
     settings.stopping = StoppingRule{};
     const AnalyticRenderer renderer(Panel::kMirrorLike);
     const WalkResult whole = walk(path, renderer, settings);
-    Plan parts = partsOf(settings);
+    Plan parts = partsOf(path, renderer, settings);
     // 3-11-19-27-28, or frames 3 to 28.
     ASSERT_EQ(parts.size(), method == Method::kImageBased ? 4u : 26u);
     std::map<int, Statistics> statistics;
@@ -376,7 +378,7 @@ TEST(Walkthrough, PartsThatHandKeyframesOnTraceEachOnce) {
   const CountingStore store;
   store.keep(8, traceKeyframe(path, apart, settings, 8));  // a task of its own
   Statistics together;
-  for (const Segment& part : partsOf(settings)) {  // 0-8-16-24
+  for (const Segment& part : partsOf(path, renderer, settings)) {  // 0-8-16-24
     Outputs outputs;
     outputs.frame = [&](FinishedFrame&& frame) {
       EXPECT_EQ(largestDifference(frame.radiance, whole.frames.at(frame.index).radiance), 0.0) << frame.index;
