@@ -23,8 +23,7 @@
 namespace promenade::render {
 namespace {
 
-/// Longest in relation to its width that a footprint is followed.
-constexpr int kMostAnisotropy = 4;
+constexpr int kMostTaps = 8;
 /// Of a footprint, in widths of the image: more is its mean anyway.
 constexpr float kWidest = 16.0f;
 constexpr float kToNearestLevel = 0.70710678f;
@@ -55,12 +54,33 @@ float reduced(float t, Wrap wrap) {
   return std::clamp(t, 0.0f, 1.0f);
 }
 
-/// `axis`, of that length, as long as OpenImageIO must be told it is: it measures levels by the shorter side
-/// of the image.
-float widthForLevel(glm::vec2 axis, float length, Size size) {
-  if (size.width == size.height) return length;
+/// The length of `axis` as OpenImageIO must be told it is: it measures levels by the shorter side of the
+/// image.
+float widthForLevel(glm::vec2 axis, Size size) {
+  if (size.width == size.height) return glm::length(axis);
   const auto shorter = static_cast<float>(std::min(size.width, size.height));
   return glm::length(axis * glm::vec2(size.width, size.height)) / shorter;
+}
+
+/// Lookups side by side along the long axis of a footprint.
+struct Taps {
+  int count = 1;
+  glm::vec2 step{0.0f};  ///< from one to the next
+  float width = 0.0f;    ///< of each, as for OpenImageIO
+  float longest = 0.0f;  ///< of the whole footprint, the same
+};
+
+/// Each is as wide as the short axis, or wider where that makes more than kMostTaps.
+Taps tapsOf(glm::vec2 longAxis, glm::vec2 shortAxis, Size size) {
+  if (glm::length(shortAxis) > glm::length(longAxis)) std::swap(longAxis, shortAxis);
+  const float longest = glm::length(longAxis);
+  const float ratio = longest / std::max(glm::length(shortAxis), longest / kMostTaps);
+  Taps taps;
+  if (std::isfinite(ratio)) taps.count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMostTaps);
+  taps.step = longAxis / static_cast<float>(taps.count);
+  taps.longest = widthForLevel(longAxis, size);
+  taps.width = std::max(widthForLevel(shortAxis, size), widthForLevel(taps.step, size));
+  return taps;
 }
 
 }  // namespace
@@ -177,57 +197,47 @@ glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
                                  const TextureFootprint& footprint) const {
   const std::size_t index = cache_->indexOf(texture);
   const Cache::File& file = cache_->files[index];
+  OIIO::TextureSystem::Perthread* const thread = cache_->lookupsOf(index);
   OIIO::TextureOpt options;
   options.swrap = toOiio(texture.wrapU);
   options.twrap = toOiio(texture.wrapV);
   options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
   options.interpmode = OIIO::TextureOpt::InterpBilinear;
-  options.anisotropic = kMostAnisotropy;
 
   const glm::mat2 linear(texture.transform);
-  glm::vec2 longAxis = linear * footprint.longAxis;
-  glm::vec2 shortAxis = linear * footprint.shortAxis;
-  if (glm::length(shortAxis) > glm::length(longAxis)) std::swap(longAxis, shortAxis);
-  // The ellipse is spread over twice the distance between two pixels along its long axis, which OpenImageIO
-  // takes the derivatives to be; here they are what one sample of many stands for.
-  longAxis *= 0.5f;
   const Size size = file.image->size;
-  const float longLength = glm::length(longAxis);
-  const float shortLength = glm::length(shortAxis);
-  const float width = widthForLevel(shortAxis, shortLength, size);
+  const Taps taps = tapsOf(linear * footprint.longAxis, linear * footprint.shortAxis, size);
   const auto shorter = static_cast<float>(std::min(size.width, size.height));
-  if (texture.mipmapped && std::max(longLength, width) * shorter > 1.0f) {  // not if it is not a number
+  float width = 0.0f;
+  int count = 1;
+  if (texture.mipmapped && taps.longest * shorter > 1.0f) {  // not if it is not a number
     if (footprint.detail == Detail::kBlurred) {
       // Of the two levels whose texels are just finer and just coarser than the width that is asked for,
       // OpenImageIO takes the second.
       options.mipmode = OIIO::TextureOpt::MipModeOneLevel;
-      const float both = std::min(std::max(longLength, width), kWidest) * kToNearestLevel;
-      longAxis = {both, 0.0f};
-      shortAxis = {0.0f, both};
-    } else if (longLength > 1.5f * width && std::isfinite(longLength)) {
-      options.mipmode = OIIO::TextureOpt::MipModeAniso;
-      const float longScale = std::min(1.0f, kWidest / longLength);
-      const float shortScale = shortLength > 0.0f ? std::min(width, kWidest) / shortLength : 0.0f;
-      longAxis *= longScale;
-      shortAxis *= shortScale;
+      width = std::min(std::max(0.5f * taps.longest, taps.width), kWidest) * kToNearestLevel;
     } else {
       options.mipmode = OIIO::TextureOpt::MipModeTrilinear;
-      const float both = std::min(std::max(longLength, width), kWidest);
-      longAxis = {both, 0.0f};
-      shortAxis = {0.0f, both};
+      width = std::min(taps.width, kWidest);
+      count = taps.count;
     }
   } else if (texture.magnification == Filter::kNearest) {
     options.interpmode = OIIO::TextureOpt::InterpClosest;
   }
 
-  const glm::vec3 at = texture.transform * glm::vec3(uv, 1.0f);
-  alignas(16) std::array<float, 4> value{};
-  if (!cache_->system->texture(file.handle, cache_->lookupsOf(index), options, reduced(at.x, texture.wrapU),
-                               reduced(at.y, texture.wrapV), longAxis.x, longAxis.y, shortAxis.x, shortAxis.y,
-                               4, value.data())) {
-    throw CannotContinue(cache_->system->geterror());
+  const glm::vec3 middle = texture.transform * glm::vec3(uv, 1.0f);
+  glm::vec4 sum(0.0f);
+  for (int i = 0; i < count; ++i) {
+    const float offset = static_cast<float>(i) - 0.5f * static_cast<float>(count - 1);
+    const glm::vec2 at = glm::vec2(middle) + offset * taps.step;
+    alignas(16) std::array<float, 4> value{};
+    if (!cache_->system->texture(file.handle, thread, options, reduced(at.x, texture.wrapU),
+                                 reduced(at.y, texture.wrapV), width, 0.0f, 0.0f, width, 4, value.data())) {
+      throw CannotContinue(cache_->system->geterror());
+    }
+    sum += glm::vec4(value[0], value[1], value[2], value[3]);
   }
-  return {value[0], value[1], value[2], value[3]};
+  return sum / static_cast<float>(count);
 }
 
 }  // namespace promenade::render

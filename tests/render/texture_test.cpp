@@ -223,6 +223,18 @@ TEST(TextureLibrary, FollowsALongFootprint) {
   EXPECT_LT(beside, 255.0f * 0.4f);
 }
 
+TEST(TextureLibrary, CoversAFootprintThatIsALittleLonger) {
+  // Stripes one texel wide under a footprint twice, three times as long as its width of a texel: what is seen
+  // may hardly depend on where the stripes lie in it, or they would flicker in a walk.
+  const Scene scene = sceneOf({64, 64}, [](int x, int) { return grey(x % 2 == 0 ? 0 : 255); });
+  for (const float length : {2.0f, 3.0f, 4.0f}) {
+    for (float u = 0.5f; u < 0.54f; u += 0.001f) {
+      EXPECT_NEAR(red(scene, {u, 0.5f}, {{length / 64.0f, 0.0f}, {0.0f, 1.0f / 64.0f}}), 127.5f, 45.0f)
+          << length << " texels, at " << u;
+    }
+  }
+}
+
 TEST(TextureLibrary, FiltersBothSidesOfAnOblongImage) {
   // Columns of black and white, one texel each: a footprint of two texels is grey however low the image is.
   const auto columns = [](int x, int) { return grey(x % 2 == 0 ? 0 : 255); };
