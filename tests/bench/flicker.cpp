@@ -3,7 +3,11 @@
 // light that changes with the view.
 //
 //     promenade render SCENE --method full --supersample 1 --size 1280x720 --frames 40-44 --out walk
-//     flicker walk/frames 2 [EXPOSURE]
+//     flicker walk/frames 2 [EXPOSURE [all]]
+//
+// Without `all` only ray-traced samples are compared. With it warped ones are, too: do frames made of
+// keyframes and warps jump where a segment ends? Pairs with a keyframe are marked and stand against the
+// others.
 //
 // With --supersample 1 the file's pixels are samples, none of which mixes two surfaces; 2x2 of them make a
 // display pixel here. Left out are samples that the later frame does not see, or not closely enough. Asked:
@@ -37,11 +41,15 @@ struct Pair {
   Mask excluded;
 };
 
+/// Which samples of the later frame are compared.
+enum class Samples { kTraced, kAll };
+
 /// What the display shows, and how it is judged.
 struct Viewing {
   int supersample;
   ToneMapping tone;
   DisplayModel display = {};
+  Samples samples = Samples::kTraced;
 };
 
 struct Flicker {
@@ -49,8 +57,14 @@ struct Flicker {
   Mask excluded;
 };
 
-Frame samplesOf(io::FrameFile&& file) {
+bool isKeyframe(const SourceMap& source) {
+  return std::all_of(source.pixels().begin(), source.pixels().end(),
+                     [](SampleSource s) { return s == SampleSource::kTraced; });
+}
+
+Frame samplesOf(io::FrameFile&& file, Samples compared) {
   const Size size = file.radiance.size();
+  if (compared == Samples::kAll) file.source = SourceMap(size, SampleSource::kTraced);
   return {{file.metadata.camera, std::move(file.depth), std::move(file.normal), std::move(file.item)},
           std::move(file.radiance),
           RadianceMap(size),
@@ -102,6 +116,18 @@ Flicker flickerBetween(const Frame& earlier, const Frame& later, double framesPe
 struct Shares {
   double compared = 0.0, steady = 0.0;  ///< per cent: of all pixels; of those compared, below 1 JND
   float largest = 0.0f;                 ///< JND
+  double mean = 0.0;                    ///< JND, of those compared
+};
+
+/// Of pairs of frames.
+struct Mean {
+  double sum = 0.0;
+  int count = 0;
+  void add(double value) {
+    sum += value;
+    ++count;
+  }
+  [[nodiscard]] double value() const { return count > 0 ? sum / count : 0.0; }
 };
 
 Shares sharesOf(const Flicker& flicker) {
@@ -113,7 +139,9 @@ Shares sharesOf(const Flicker& flicker) {
     ++compared;
     steady += jnd < 1.0f ? 1 : 0;
     shares.largest = std::max(shares.largest, jnd);
+    shares.mean += static_cast<double>(jnd);
   }
+  if (compared > 0) shares.mean /= static_cast<double>(compared);
   shares.compared =
       100.0 * static_cast<double>(compared) / static_cast<double>(flicker.excluded.size().area());
   shares.steady = compared > 0 ? 100.0 * static_cast<double>(steady) / static_cast<double>(compared) : 100.0;
@@ -137,7 +165,10 @@ void measure(const std::filesystem::path& folder, const Viewing& viewing) {
   }
   std::sort(files.begin(), files.end());
   if (files.size() < 2) throw InputError(folder.string(), "expected at least two frames");
-  std::printf("| frames | %% compared | %% of them below 1 JND | largest, JND |\n|---|---|---|---|\n");
+  std::printf(
+      "| frames | %% compared | %% of them below 1 JND | mean, JND | largest, JND "
+      "|\n|---|---|---|---|---|\n");
+  Mean beside, between;
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     io::FrameFile first = io::readFrame(files[i]), second = io::readFrame(files[i + 1]);
     const Size size = first.radiance.size();
@@ -146,14 +177,19 @@ void measure(const std::filesystem::path& folder, const Viewing& viewing) {
     }
     const double rate = first.metadata.framesPerSecond;
     const int number = first.metadata.frame;
-    const Flicker flicker =
-        flickerBetween(samplesOf(std::move(first)), samplesOf(std::move(second)), rate, viewing);
+    const bool hasKeyframe = isKeyframe(first.source) || isKeyframe(second.source);
+    const Flicker flicker = flickerBetween(samplesOf(std::move(first), viewing.samples),
+                                           samplesOf(std::move(second), viewing.samples), rate, viewing);
     const Shares shares = sharesOf(flicker);
-    std::printf("| %d, %d | %.2f | %.3f | %.2f |\n", number, number + 1, shares.compared, shares.steady,
+    (hasKeyframe ? beside : between).add(shares.mean);
+    std::printf("| %d, %d%s | %.2f | %.3f | %.3f | %.2f |\n", number, number + 1,
+                hasKeyframe ? " (keyframe)" : "", shares.compared, shares.steady, shares.mean,
                 static_cast<double>(shares.largest));
     io::write8bit(std::filesystem::path(files[i]).replace_filename(files[i].stem().string() + "-flicker.png"),
                   pictureOf(flicker));
   }
+  std::printf("mean, JND: %.3f in %d pairs with a keyframe, %.3f in the %d others\n", beside.value(),
+              beside.count, between.value(), between.count);
 }
 
 }  // namespace
@@ -175,14 +211,15 @@ Number numberFrom(std::string_view text) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 3 && count != 4) {
-    std::fputs("flicker FRAMES SUPERSAMPLE [EXPOSURE]\n", stderr);
+  if (count < 3 || count > 5 || (count == 5 && std::string_view(arguments[4]) != "all")) {
+    std::fputs("flicker FRAMES SUPERSAMPLE [EXPOSURE [all]]\n", stderr);
     return 2;
   }
   try {
-    promenade::Viewing viewing{numberFrom<int>(arguments[2]), {}};
+    promenade::Viewing viewing{.supersample = numberFrom<int>(arguments[2]), .tone = {}};
     if (viewing.supersample < 1) throw promenade::InputError("flicker", "expected at least one sample");
-    if (count == 4) viewing.tone.exposureEv = numberFrom<double>(arguments[3]);
+    if (count == 5) viewing.samples = promenade::Samples::kAll;
+    if (count >= 4) viewing.tone.exposureEv = numberFrom<double>(arguments[3]);
     promenade::measure(arguments[1], viewing);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "flicker: %s\n", error.what());
