@@ -91,6 +91,8 @@ struct TextureLibrary::Cache {
   };
   struct Destroy {
     void operator()(OIIO::ImageCache* cache) const { OIIO::ImageCache::destroy(cache); }
+    /// OpenImageIO 2.4 tells the allocator a wrong size here: new_delete_type_mismatch=0 in
+    /// CMakePresets.json.
     void operator()(OIIO::TextureSystem* system) const { OIIO::TextureSystem::destroy(system); }
   };
   /// What OpenImageIO needs to know of a thread. It keeps hold of the two tiles looked at last.
