@@ -27,7 +27,7 @@ struct RenderOptions {
   std::string filterRadius = "3";
   std::string spp = "auto";
   std::string tolerance = "3";
-  std::string spacing = "32";
+  std::string spacing = "16";
   std::string verify = "1";            ///< per cent
   std::string footprintLimit = "2.5";  ///< areas
   std::string method = "ibr";

@@ -21,7 +21,7 @@ struct RenderValues {
   std::optional<walkthrough::Antialiasing> antialiasing;
   std::optional<int> pathsPerSample;  ///< nothing: automatic
   double tolerancePercent = 3.0;
-  int spacing = 32;
+  int spacing = 16;
   double verifyPercent = 1.0;
   double footprintLimit = 2.5;  ///< ibr::WarpSettings
   walkthrough::Method method = walkthrough::Method::kImageBased;

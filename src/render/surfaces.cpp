@@ -26,9 +26,7 @@ T interpolate(const std::vector<T>& values, const glm::uvec3& t, const glm::vec3
 }  // namespace
 
 Surfaces::Surfaces(const Scene& scene, ShadowsThrough shadowsThrough)
-    : scene_(scene),
-      shadowsThrough_(shadowsThrough),
-      textures_(std::make_unique<MaterialTextures>(scene)) {
+    : scene_(scene), shadowsThrough_(shadowsThrough), textures_(std::make_unique<MaterialTextures>(scene)) {
   std::vector<std::size_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) ++uses[static_cast<std::size_t>(instance.mesh)];
 

@@ -58,7 +58,7 @@ struct Settings {
   FrameRange frames;     ///< of the path
   Method method = Method::kImageBased;
   double tolerancePercent = 3.0;  ///< of the remaining pixels with P > 0.75; above it a segment is split
-  int keyframeSpacing = 32;       ///< frames of the longest first segment
+  int keyframeSpacing = 16;       ///< frames of the longest first segment
   Holes holes = Holes::kTraced;
   /// Share of the warped samples of a segment's middle that are ray traced to check the warp, in [0, 1]; 0:
   /// none.
