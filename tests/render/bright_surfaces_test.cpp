@@ -9,6 +9,7 @@
 
 #include "src/render/irradiance_solution.h"
 #include "src/render/path_tracer.h"
+#include "tests/render/gathering.h"
 #include "tests/render/scenes.h"
 
 namespace promenade::render {
@@ -94,31 +95,11 @@ TEST(BrightSurfaces, AreChosenWithTheDensityTheyAreFoundWith) {
   EXPECT_NEAR(solidAngle, 4.0 * std::atan(0.01 / std::sqrt(1.02)), 4e-4);
 }
 
-/// Mean and relative deviation of what 256 paths gather 1 m above the patch, looking down.
-struct Spread {
-  double mean = 0.0, deviation = 0.0;
-};
-Spread gatherOften(const PathTracer& tracer) {
-  constexpr int kTimes = 64;
-  double sum = 0.0, squares = 0.0;
-  for (int i = 0; i < kTimes; ++i) {
-    Sampler::Stream stream;
-    stream.seed = static_cast<std::uint32_t>(i);
-    stream.pathsPerPixel = 256;
-    PathRays rays;
-    const double value = tracer.gather(kAbove, -kUp, stream, rays, nullptr).radiance.g;
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / kTimes;
-  return {mean, std::sqrt(std::max(0.0, squares / kTimes - mean * mean)) / mean};
-}
-
 TEST(BrightSurfaces, MakeThePatchAsBrightAsItIsWithATenthOfTheNoise) {
   Patch patch;
-  const Spread byChance = gatherOften(patch.tracer);
+  const tests::Spread byChance = tests::gatherOften(patch.tracer, kAbove, -kUp, 64);
   patch.tracer.setBright(patch.tracer.findBright());
-  const Spread asLights = gatherOften(patch.tracer);
+  const tests::Spread asLights = tests::gatherOften(patch.tracer, kAbove, -kUp, 64);
   // Form factor of a square of half side a, seen from height h above its middle, X = a / h: four times
   // X / (pi sqrt(1 + X^2)) atan(X / sqrt(1 + X^2)) = 0.012565; times albedo 0.5 and radiance 100. Of the dark
   // floor comes less than 0.0005.

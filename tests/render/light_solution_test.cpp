@@ -11,6 +11,7 @@
 #include "src/render/irradiance_solution.h"
 #include "src/render/path_renderer.h"
 #include "src/render/path_tracer.h"
+#include "tests/render/gathering.h"
 #include "tests/render/scenes.h"
 
 namespace promenade::render {
@@ -151,23 +152,12 @@ TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
   solution.coarse.place({{0, 0, 0}, kUp, 1e4f});
   solution.coarse.setLight({lightOf(1.0f)});
   tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
-  constexpr int kTimes = 16;
-  double sum = 0.0, squares = 0.0;
-  for (int i = 0; i < kTimes; ++i) {
-    Sampler::Stream stream;
-    stream.seed = static_cast<std::uint32_t>(i);
-    stream.pathsPerPixel = 256;
-    PathRays rays;
-    const double value = tracer.gather({0, 1, 0}, -kUp, stream, rays, nullptr).radiance.g;
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / kTimes;
+  const auto [mean, deviation] = tests::gatherOften(tracer, {0, 1, 0}, -kUp, 16);
   EXPECT_NEAR(mean, 0.5, 0.002);
   // A path's weight z / (0.0625 / sqrt(z) + 0.75 z) at height z lies between 0 and 1.23: a relative deviation
   // of 0.32, a sixteenth of that for 256 independent paths. That is smooth over the square of random
   // numbers, so stratified paths leave less than a fifth of it.
-  EXPECT_LT(std::sqrt(std::max(0.0, squares / kTimes - mean * mean)) / mean, 0.2 * 0.32 / 16.0);
+  EXPECT_LT(deviation, 0.2 * 0.32 / 16.0);
 }
 
 TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {
