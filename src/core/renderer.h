@@ -12,8 +12,8 @@ namespace promenade {
 struct ItemTraits {
   /// Strongly specular, glossy or transparent by its material: warping may show a wrong reflection.
   bool viewDependent = false;
-  /// Standard deviation that may be left in a traced sample's view-dependent radiance, as a share of all it
-  /// shows. 0: none, as in a mirror.
+  /// Standard deviation of a traced sample's view-dependent radiance, as a share of all it shows, that may be
+  /// taken for noise where neighbours are compared. 0: none, as in a mirror.
   float noise = 0.0f;
 };
 

@@ -15,6 +15,9 @@ constexpr float kSmoothDielectric = 0.35f;
 constexpr float kLeastClearcoat = 0.05f;
 constexpr float kSmoothClearcoat = 0.5f;
 constexpr double kSomewhere = 0.02;
+/// Strong reflections are traced with up to twice that (kStrongNoise), but where a curved piece of metal
+/// shows more structure than noise, allowing for all of it would smooth it away visibly.
+constexpr float kTakenForNoise = 0.05f;
 constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample
 
 /// Values of a channel below and above which 2% of the texels lie, in [0, 1].
@@ -86,7 +89,7 @@ bool texturesShapeReflection(const Material& m) {
 float noiseOf(const Material& m) {
   const bool coatIsClear = m.clearcoat > 0.0f && m.clearcoatRoughness < kClear;
   const bool isClear = m.roughness < kClear || coatIsClear || m.alphaMode == AlphaMode::kBlend;
-  return isClear || texturesShapeReflection(m) ? 0.0f : kStrongNoise;
+  return isClear || texturesShapeReflection(m) ? 0.0f : kTakenForNoise;
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ constexpr float kFaint = 0.25f;
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 128;
 constexpr float kFaintNoise = 0.015f;
-/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same: a
-/// polished floor may be clean after these.
-constexpr float kNarrow = 0.1f;
+/// A narrow lobe may be clean after these.
 constexpr int kLeastNarrowPaths = 4;
 /// From one path alone nothing can be told of the noise.
 constexpr int kLeastOfAll = 2;
@@ -291,15 +289,15 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
     }
     shadows.flush();
   };
-  const float noise = isFaint || !untilClean ? kFaintNoise : kStrongNoise;
+  const bool isNarrow = look.bsdf.roughness < kNarrow &&
+                        !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
+  const float noise = isFaint || !untilClean ? kFaintNoise : isNarrow ? kNarrowNoise : kStrongNoise;
   const auto isClean = [&] {
     const auto n = static_cast<float>(count);
     const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
     const float whole = sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean);
     return weight * found.standardError(count) <= noise * whole;
   };
-  const bool isNarrow = look.bsdf.roughness < kNarrow &&
-                        !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
   // Whoever gets fewer learns nothing about their noise.
   const int enough = ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths);
   trace(std::min(most, enough));
