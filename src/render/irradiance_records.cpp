@@ -34,7 +34,7 @@ constexpr float kRidge = 0.02f;
 constexpr int kSmoothings = 2;
 /// How many standard errors the neighbours may contradict what was gathered and be believed whole; twice as
 /// many, and they are not believed at all.
-constexpr float kNoise = 1.5f;
+constexpr float kNoise = 2.5f;
 
 /// 1 at the record, 0 where it ends.
 float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::vec3& normal) {

@@ -23,6 +23,8 @@ constexpr int kCoarsePasses = 2;
 /// How often the coarse records of a noisy scene are gathered again: the first time their paths still end at
 /// noisy ones.
 constexpr int kNoisyPasses = 2;
+/// Of coarse records, on the sky and on lamps each.
+constexpr int kPointsPerPath = 4;
 
 /// Gathering paths end at these records from now on.
 void use(PathTracer& tracer, const IrradianceRecords& coarse) {
@@ -65,29 +67,28 @@ class IrradianceSolver::Gatherer {
   Gatherer(PathTracer& tracer, const SolutionSettings& settings, const ProgressCallback& progress)
       : tracer_(tracer), settings_(settings), progress_(progress) {}
 
-  struct Effort {
-    int pathsPerBatch, leastBatches, mostBatches;
-    bool byDirection;
-  };
-  [[nodiscard]] Effort coarse() const { return {settings_.coarsePaths, 1, 1, false}; }
-  [[nodiscard]] Effort noisyCoarse() const { return {settings_.noisyCoarsePaths, 1, 1, false}; }
-  [[nodiscard]] Effort fine() const {
-    return {settings_.pathsPerBatch, settings_.leastBatches, settings_.mostBatches, true};
-  }
+  [[nodiscard]] GatherEffort coarse() const { return all(settings_.coarsePaths); }
+  [[nodiscard]] GatherEffort noisyCoarse() const { return all(settings_.noisyCoarsePaths); }
+  [[nodiscard]] GatherEffort fine() const { return settings_.fineEffort; }
 
+  enum class Directions { kForget, kKeep };
   /// Light of the records from `first` on.
-  void gather(IrradianceRecords& records, std::size_t first, const Effort& effort) {
+  void gather(IrradianceRecords& records, std::size_t first, const GatherEffort& effort,
+              Directions directions) {
     const auto& places = records.places();
     std::vector<SurfaceLight> light = records.light();
     light.resize(places.size());
     std::vector<LightField> fields = records.fields();
-    if (effort.byDirection) fields.resize(places.size());
+    if (directions == Directions::kKeep) fields.resize(places.size());
     std::mutex reporting;
     std::size_t done = 0;
     tbb::parallel_for(first, places.size(), [&](std::size_t i) {
       if (settings_.checkpoint) settings_.checkpoint();
       PathRays rays;
-      light[i] = lightAt(places[i], i, effort, effort.byDirection ? &fields[i] : nullptr, rays);
+      const Gathered gathered =
+          tracer_.gather(places[i].position, places[i].normal, numbersOf(i), effort, rays);
+      light[i] = gathered.light;
+      if (directions == Directions::kKeep) fields[i] = gathered.field;
       const std::scoped_lock lock(reporting);
       rays_.scattered += rays.scattered;
       rays_.shadow += rays.shadow;
@@ -102,34 +103,14 @@ class IrradianceSolver::Gatherer {
   [[nodiscard]] const PathRays& rays() const { return rays_; }
 
  private:
-  [[nodiscard]] SurfaceLight lightAt(const RecordPlace& place, std::size_t number, const Effort& effort,
-                                     LightField* field, PathRays& rays) const {
-    SurfaceLight sum;
-    FieldSums sums;
-    double squaredError = 0.0;  // of the sum of the batches
-    int batches = 0;
-    while (batches < effort.mostBatches) {
-      Sampler::Stream stream;
-      stream.frame = static_cast<std::uint32_t>(batches);
-      stream.seed = settings_.seed;
-      stream.pathsPerPixel = static_cast<std::uint32_t>(effort.pathsPerBatch);
-      stream.pixel = {static_cast<std::uint32_t>(number & 0xffffu), static_cast<std::uint32_t>(number >> 16)};
-      const SurfaceLight batch =
-          tracer_.gather(place.position, place.normal, stream, rays, field != nullptr ? &sums : nullptr);
-      ++batches;
-      sum.radiance += batch.radiance;
-      sum.meanDirection += batch.meanDirection * luminance(batch.radiance);
-      squaredError += batch.error * batch.error;
-      if (batches < effort.leastBatches) continue;
-      if (std::sqrt(squaredError) <= settings_.relativeError * luminance(sum.radiance)) break;
-    }
-    const float whole = luminance(sum.radiance);
-    if (whole > 0.0f) sum.meanDirection /= whole;
-    sum.radiance /= static_cast<float>(batches);
-    const float unit = luminance(sum.radiance);
-    if (field != nullptr && unit > 0.0f) *field = sums.finish(batches * effort.pathsPerBatch, unit);
-    sum.error = static_cast<float>(std::sqrt(squaredError)) / static_cast<float>(batches);
-    return sum;
+  /// No more than that: the errors of coarse records average out, if they have no share in which samples they
+  /// get.
+  [[nodiscard]] static GatherEffort all(int paths) { return {paths, kPointsPerPath * paths, 0, 0.0f}; }
+  [[nodiscard]] Sampler::Stream numbersOf(std::size_t record) const {
+    Sampler::Stream stream;
+    stream.seed = settings_.seed;
+    stream.pixel = {static_cast<std::uint32_t>(record & 0xffffu), static_cast<std::uint32_t>(record >> 16)};
+    return stream;
   }
 
   PathTracer& tracer_;
@@ -193,7 +174,7 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace
   tracer_.setBright(nullptr);
   for (int pass = 0; pass < kCoarsePasses; ++pass) {
     if (pass > 0) use(tracer_, records);
-    gatherer.gather(records, coarseBefore_, gatherer.coarse());
+    gatherer.gather(records, coarseBefore_, gatherer.coarse(), Gatherer::Directions::kForget);
   }
   isNoisy_ = meanRelativeError(records.light(), coarseBefore_) > settings_.noisy;
   const std::uint64_t more =
@@ -204,7 +185,7 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace
     for (int pass = 0; pass < kNoisyPasses; ++pass) {
       use(tracer_, records);
       tracer_.setBright(tracer_.findBright());
-      gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse());
+      gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse(), Gatherer::Directions::kForget);
     }
     isNoisy_ = false;
   }
@@ -220,7 +201,7 @@ std::uint64_t IrradianceSolver::place() {
     isPlaced_ = true;
   }
   const std::uint64_t fine =
-      pathsOf(solution_.fine.places().size() - fineBefore_, settings_.leastBatches * settings_.pathsPerBatch);
+      pathsOf(solution_.fine.places().size() - fineBefore_, settings_.fineEffort.paths);
   if (!isFirst()) return fine;
   return fine +
          kCoarsePasses * pathsOf(solution_.coarse.places().size() - coarseBefore_, settings_.coarsePaths);
@@ -230,7 +211,7 @@ void IrradianceSolver::gather(const ProgressCallback& progress, const MayTrace& 
   (void)place();
   Gatherer gatherer(tracer_, settings_, progress);
   if (isFirst()) gatherCoarse(gatherer, mayTrace);
-  gatherer.gather(solution_.fine, fineBefore_, gatherer.fine());
+  gatherer.gather(solution_.fine, fineBefore_, gatherer.fine(), Gatherer::Directions::kKeep);
   solution_.rays.scattered += gatherer.rays().scattered;
   solution_.rays.shadow += gatherer.rays().shadow;
   fineBefore_ = solution_.fine.places().size();

@@ -50,17 +50,14 @@ struct SolutionSettings {
   int coarsePaths = 128;  ///< per record
   /// Where the standard error of the coarse records is more than this share of their light on average, bright
   /// surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way of a patch of sun
-  /// has 0.18, a hall under windows 0.09 and nothing to gain.
-  double noisy = 0.12;
+  /// has 0.13, a hall under windows 0.05 and nothing to gain.
+  double noisy = 0.08;
   /// Per coarse record of such a scene. The errors of coarse records do not average out where few of them
   /// send most of the light: then they move the whole picture.
   int noisyCoarsePaths = 1024;
-  int pathsPerBatch = 256;
-  int leastBatches = 2;
-  int mostBatches = 4;
-  /// Gathering ends when the standard error of a record's luminance is below this share of it: that of
-  /// independent paths, which stratification keeps well below.
-  float relativeError = 0.03f;
+  /// Of a fine record. Its light by direction needs the paths that begin, even where the light as a whole is
+  /// clean with fewer.
+  GatherEffort fineEffort = {.paths = 1024, .points = 1024, .most = 4096, .relativeError = 0.015f};
   std::uint32_t seed = 0;
   std::function<void()> checkpoint = {};  ///< as in PathSettings
 };

@@ -163,11 +163,11 @@ void FieldSums::addPath(const glm::vec3& direction, const Rgb& radiance) {
   });
 }
 
-void FieldSums::addLight(const glm::vec3& direction, const Rgb& share) {
+void FieldSums::addLight(std::size_t kind, const glm::vec3& direction, const Rgb& share) {
   if (!(direction.z > kLeastFieldCosine)) return;
   // share = L cos / pi per solid angle
   const Rgb arriving = share * (kPi / direction.z);
-  spread(direction, [&](std::size_t cell, float weight) { lights_[cell] += weight * arriving; });
+  spread(direction, [&](std::size_t cell, float weight) { lights_[kind][cell] += weight * arriving; });
 }
 
 std::array<Rgb, LightField::kCells> FieldSums::seen() const {
@@ -188,12 +188,15 @@ std::array<Rgb, LightField::kCells> FieldSums::seen() const {
   return seen;
 }
 
-LightField FieldSums::finish(int paths, float unit) const {
+LightField FieldSums::finish(const std::array<int, kKinds>& samples, float unit) const {
   const auto radiance = seen();
   LightField field;
   for (std::size_t i = 0; i < LightField::kCells; ++i) {
-    const Rgb lit = lights_[i] / (static_cast<float>(paths) * LightField::solidAngles()[i]);
-    field.set(i, (radiance[i] + lit) / unit);
+    Rgb lit(0.0f);
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      if (samples[kind] > 0) lit += lights_[kind][i] / static_cast<float>(samples[kind]);
+    }
+    field.set(i, (radiance[i] + lit / LightField::solidAngles()[i]) / unit);
   }
   return field;
 }

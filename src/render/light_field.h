@@ -56,13 +56,16 @@ class LightField {
 /// Collects what paths and light samples bring to a surface element. Directions are local, z > 0.
 class FieldSums {
  public:
+  /// Kinds of light that may be sampled differently often.
+  static constexpr std::size_t kKinds = 3;
+
   /// `radiance` arrived along a direction, however that was chosen.
   void addPath(const glm::vec3& direction, const Rgb& radiance);
-  /// `share` of the radiance of a white matt surface (its mean is taken over `paths` below) is due to a light
-  /// in this direction.
-  void addLight(const glm::vec3& direction, const Rgb& share);
-  /// `paths`: what the shares are divided by. `unit` > 0.
-  [[nodiscard]] LightField finish(int paths, float unit) const;
+  /// `share` of the radiance of a white matt surface (its mean is taken over the samples of that kind, below)
+  /// is due to a light in this direction.
+  void addLight(std::size_t kind, const glm::vec3& direction, const Rgb& share);
+  /// `samples`: what the shares of each kind are divided by; 0 where it has none. `unit` > 0.
+  [[nodiscard]] LightField finish(const std::array<int, kKinds>& samples, float unit) const;
 
  private:
   /// Mean radiance of the paths in each cell.
@@ -70,7 +73,7 @@ class FieldSums {
 
   std::array<Rgb, LightField::kCells> paths_{};
   std::array<float, LightField::kCells> weights_{};
-  std::array<Rgb, LightField::kCells> lights_{};
+  std::array<std::array<Rgb, LightField::kCells>, kKinds> lights_{};
 };
 
 }  // namespace promenade::render

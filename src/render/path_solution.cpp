@@ -1,8 +1,6 @@
-// The part of PathTracer that makes and uses a view-independent solution of the light on matt surfaces.
+// The part of PathTracer that uses a view-independent solution of the light on matt surfaces.
 
 #include "src/render/path_tracer_internal.h"
-
-#include <numbers>
 
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
@@ -29,111 +27,9 @@ constexpr int kLeastOfAll = 2;
 /// Beside a known diffuse part only lobes are traced, which find all but small lights by themselves: so
 /// lights are asked for every so many paths.
 constexpr int kPathsPerLight = 4;
-/// Points on lights for each path that a record gathers: shadow rays are cheap and lights are strong.
-constexpr int kLightsPerPath = 4;
 constexpr std::uint32_t kLightSeed = 0x9e3779b9u;
 
-/// A white matt surface that wants to know its light by direction: most of its samples are chosen by the
-/// cosine, the others evenly over the cells of a light field.
-class GatheringSurface {
- public:
-  [[nodiscard]] static BsdfValue evaluate(const glm::vec3& wi) {
-    BsdfValue value;
-    if (!(wi.z > 0.0f)) return value;
-    const float cosine = wi.z / std::numbers::pi_v<float>;
-    value.diffuse = Rgb(cosine);
-    value.pdf = glm::mix(cosine, LightField::pdf(wi), kForTheField);
-    return value;
-  }
-  /// Strips of the square go to either way, so that both keep the stratification of `u`.
-  [[nodiscard]] static BsdfSample sample(glm::vec2 u) {
-    BsdfSample s;
-    s.wi = u.x < kForTheField ? LightField::sample({u.x / kForTheField, u.y})
-                              : sampleCosine({(u.x - kForTheField) / (1.0f - kForTheField), u.y});
-    const BsdfValue value = evaluate(s.wi);
-    s.pdf = value.pdf;
-    if (s.pdf > 0.0f) s.diffuse = value.diffuse / s.pdf;
-    return s;
-  }
-
- private:
-  static constexpr float kForTheField = 0.25f;
-};
-
 }  // namespace
-
-SurfaceLight PathTracer::gather(const glm::vec3& position, const glm::vec3& normal,
-                                const Sampler::Stream& stream, PathRays& rays, FieldSums* field) const {
-  // A white matt surface seen from straight above: what it sends back is irradiance / pi.
-  SurfaceLook look;
-  look.bsdf.specular = 0.0f;
-  look.normal = normal;
-  const Vertex vertex{position,
-                      normal,
-                      Basis(normal),
-                      glm::vec3(0.0f, 0.0f, 1.0f),
-                      look,
-                      0,
-                      0,
-                      sky_ ? &sky_->viewFrom(position, normal) : nullptr};
-  SurfaceLight sum;
-  float squares = 0.0f;
-  const auto add = [&](const Rgb& radiance, const glm::vec3& direction) {
-    const float value = luminance(radiance);
-    sum.radiance += radiance;
-    sum.meanDirection += value * direction;
-    squares += value * value;
-  };
-  struct Arriving {
-    Rgb radiance{0.0f};
-    glm::vec3 direction{0.0f};
-  };
-  auto shadows = shadowBatch<Arriving>(embree_, [&](const Arriving& light, const Rgb& transmittance) {
-    const Rgb share = light.radiance * transmittance;
-    add(share, light.direction);
-    if (field != nullptr) field->addLight(vertex.basis.toLocal(light.direction), share);
-  });
-  const GatheringSurface scattering;
-  const Shares asked = firstShares(vertex);
-  const float bright = bright_ && settings_.solution && settings_.maxBounces > 1 ? 1.0f : 0.0f;
-  const Shares shares{asked.environment * kLightsPerPath, asked.local * kLightsPerPath, bright};
-  Sampler::Stream lightStream = stream;
-  lightStream.seed ^= kLightSeed;
-  lightStream.pathsPerPixel *= kLightsPerPath;
-  for (std::uint32_t i = 0; i < lightStream.pathsPerPixel; ++i) {
-    Sampler sampler(lightStream, i);
-    sampleLights(vertex, scattering, asked, kLightsPerPath, sampler, DeltaLights::kExcluded,
-                 [&](const Ray& shadow, const Rgb& diffuse, const Rgb&) {
-                   ++rays.shadow;
-                   shadows.add(shadow, {diffuse, glm::normalize(shadow.direction)});
-                 });
-  }
-  for (std::uint32_t i = 0; i < stream.pathsPerPixel; ++i) {
-    Sampler sampler(stream, i);
-    sampleBright(vertex, scattering, bright, sampler, rays,
-                 [&](const Ray& shadow, const Rgb& diffuse, const Rgb&) {
-                   ++rays.shadow;
-                   shadows.add(shadow, {diffuse, glm::normalize(shadow.direction)});
-                 });
-    const BsdfSample s = scattering.sample(sampler.next2D());
-    if (!(s.pdf > 0.0f) || isBlack(s.diffuse)) continue;
-    const glm::vec3 world = glm::normalize(vertex.basis.toWorld(s.wi));
-    Carried next;
-    scatter(vertex, s, world, shares, next);
-    next.importance = largest(s.diffuse);
-    const Rgb arriving = follow(next, sampler, rays);
-    add(s.diffuse * arriving, world);
-    if (field != nullptr) field->addPath(s.wi, arriving);
-  }
-  shadows.flush();
-  const float whole = luminance(sum.radiance);
-  if (whole > 0.0f) sum.meanDirection /= whole;
-  // Every contribution by itself, as if it came from one of a Poisson number of paths.
-  const auto count = static_cast<float>(stream.pathsPerPixel);
-  sum.error = std::sqrt(squares) / count;
-  sum.radiance /= count;
-  return sum;
-}
 
 void PathTracer::setSolution(std::shared_ptr<const LightSolution> solution) {
   settings_.solution = std::move(solution);
@@ -174,6 +70,11 @@ Rgb PathTracer::sentBackAt(const Hit& hit, const glm::vec3& direction, float wid
   roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
   const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
   return vertex.look.alpha * sentBack(vertex, scattering, *known, true, rays).radiance;
+}
+
+Rgb PathTracer::sentBy(const TowardBright& bright, PathRays& rays) const {
+  const BrightSurfaces::Chosen& chosen = bright.chosen;
+  return sentBackAt(chosen.hit, chosen.direction, bright.spread * chosen.hit.distance, rays);
 }
 
 std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex,

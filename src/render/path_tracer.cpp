@@ -194,12 +194,15 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
                    const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
                    add(path.throughput * arriving * embree_.transmittance(shadow), path.bounces + 1);
                  });
-    sampleBright(vertex, scattering, path.bounces + 1 < settings_.maxBounces ? shares.bright : 0.0f, sampler,
-                 rays, [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
-                   ++rays.shadow;
-                   const Rgb arriving = known ? viewDependent : diffuse + viewDependent;
-                   add(path.throughput * arriving * embree_.transmittance(shadow), path.bounces + 2);
-                 });
+    const float brightShare = path.bounces + 1 < settings_.maxBounces ? shares.bright : 0.0f;
+    if (const auto bright = chooseBright(vertex, scattering, brightShare, sampler)) {
+      ++rays.shadow;
+      const Rgb transmittance = embree_.transmittance(bright->shadow);
+      if (!isBlack(transmittance)) {
+        const Rgb arriving = known ? bright->viewDependent : bright->diffuse + bright->viewDependent;
+        add(path.throughput * arriving * sentBy(*bright, rays) * transmittance, path.bounces + 2);
+      }
+    }
 
     const float choose = sampler.next1D();
     const BsdfSample s = scattering.sample(choose, sampler.next2D());

@@ -39,6 +39,22 @@ struct PathRays {
   std::uint64_t noisyLines = 0;  ///< lines of sight that more paths would still change
 };
 
+/// How much work goes into the light of a record. Its parts (paths; points on the sky, on lamps, on bright
+/// surfaces) begin with fixed shares. Then whichever takes the most error away for its time is doubled, until
+/// the standard error of the light's luminance is at most `relativeError` of it, or all of them together have
+/// cost as much as `most` paths.
+struct GatherEffort {
+  int paths = 256;    ///< to begin with; powers of two are stratified best
+  int points = 1024;  ///< ... on the sky and on lamps each, and a quarter as many on bright surfaces
+  int most = 0;       ///< 0: no more than that
+  float relativeError = 0.0f;
+};
+
+struct Gathered {
+  SurfaceLight light;
+  LightField field;  ///< the same by direction, in units of the light's luminance; z along Basis(normal)
+};
+
 class PathTracer {
  public:
   PathTracer(const Scene& scene, const PathSettings& settings);
@@ -61,11 +77,11 @@ class PathTracer {
   [[nodiscard]] SampleRadiance shade(const Hit& hit, const Ray& primary, float pixelWidth,
                                      const Sampler::Stream& stream, Effort effort, PathRays& rays) const;
 
-  /// Light on a surface element, the mean of stream.pathsPerPixel paths: everything but what point, spot and
-  /// directional lights send there directly, which every sample asks for itself. By direction, too, where
-  /// `field` is given; its z is along Basis(normal).
-  [[nodiscard]] SurfaceLight gather(const glm::vec3& position, const glm::vec3& normal,
-                                    const Sampler::Stream& stream, PathRays& rays, FieldSums* field) const;
+  /// Light on a surface element: everything but what point, spot and directional lights send there directly,
+  /// which every sample asks for itself. `numbers`: its pixel, frame and seed tell elements apart.
+  [[nodiscard]] Gathered gather(const glm::vec3& position, const glm::vec3& normal,
+                                const Sampler::Stream& numbers, const GatherEffort& effort,
+                                PathRays& rays) const;
 
  private:
   struct Vertex;
@@ -77,6 +93,7 @@ class PathTracer {
   struct Carried;
   struct Shares;
   struct Sight;
+  class Gatherer;
   enum class DeltaLights { kIncluded, kExcluded };
 
   [[nodiscard]] Vertex vertexAt(const Hit& hit, const glm::vec3& unitDirection, const Pencil& pencil) const;
@@ -87,10 +104,13 @@ class PathTracer {
   template <class Scattering, class Add>
   void sampleLights(const Vertex& vertex, const Scattering& scattering, const Shares& shares, float times,
                     Sampler& sampler, DeltaLights deltaLights, const Add& add) const;
-  /// Calls add(shadow ray, diffuse, view-dependent) for a point on a bright surface, chosen `share` times.
-  template <class Scattering, class Add>
-  void sampleBright(const Vertex& vertex, const Scattering& scattering, float share, Sampler& sampler,
-                    PathRays& rays, const Add& add) const;
+  struct TowardBright;
+  /// A point on a bright surface, chosen `share` times. What it sends back is worth asking (sentBy()) only if
+  /// its shadow ray arrives: most do not.
+  template <class Scattering>
+  [[nodiscard]] std::optional<TowardBright> chooseBright(const Vertex& vertex, const Scattering& scattering,
+                                                         float share, Sampler& sampler) const;
+  [[nodiscard]] Rgb sentBy(const TowardBright& bright, PathRays& rays) const;
   /// What a vertex sends on of the light that the solution says falls on it, and of the point, spot and
   /// directional lights.
   struct SentBack {

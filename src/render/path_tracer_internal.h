@@ -1,6 +1,6 @@
 #pragma once
-// What the two halves of PathTracer share: path_tracer.cpp (paths) and path_solution.cpp (the light
-// solution).
+// What the parts of PathTracer share: path_tracer.cpp (paths), gathering.cpp (the light of records) and
+// path_solution.cpp (what uses that light).
 
 #include <algorithm>
 #include <array>
@@ -112,6 +112,14 @@ struct PathTracer::Shares {
   float environment = 0.0f;
   float local = 0.0f;
   float bright = 0.0f;
+};
+
+/// A point on a bright surface, not yet known to be seen.
+struct PathTracer::TowardBright {
+  BrightSurfaces::Chosen chosen;
+  Ray shadow;
+  Rgb diffuse{0.0f}, viewDependent{0.0f};  ///< what reaches the vertex is scattered with, over the density
+  float spread = 0.0f;                     ///< of the pencil of rays that the point stands for
 };
 
 /// A path between two vertices.
@@ -244,29 +252,27 @@ void PathTracer::sampleLights(const Vertex& vertex, const Scattering& scattering
   }
 }
 
-template <class Scattering, class Add>
-void PathTracer::sampleBright(const Vertex& vertex, const Scattering& scattering, float share,
-                              Sampler& sampler, PathRays& rays, const Add& add) const {
-  if (!(share > 0.0f)) return;
+template <class Scattering>
+std::optional<PathTracer::TowardBright> PathTracer::chooseBright(const Vertex& vertex,
+                                                                 const Scattering& scattering, float share,
+                                                                 Sampler& sampler) const {
+  if (!(share > 0.0f)) return std::nullopt;
   const float choose = sampler.next1D();
   const glm::vec2 u = sampler.next2D();
   const std::optional<BrightSurfaces::Chosen> chosen =
       bright_->sample(vertex.position, vertex.facing, choose, u);
-  if (!chosen) return;
+  if (!chosen) return std::nullopt;
   const glm::vec3 wi = vertex.basis.toLocal(chosen->direction);
-  if (!vertex.agree(wi, chosen->direction)) return;
+  if (!vertex.agree(wi, chosen->direction)) return std::nullopt;
   const BsdfValue f = scattering.evaluate(wi);
-  if (isBlack(f.diffuse + f.viewDependent)) return;
-  const Rgb radiance =
-      sentBackAt(chosen->hit, chosen->direction, spreadOfScattering(f.pdf) * chosen->hit.distance, rays);
-  if (isBlack(radiance)) return;
+  if (isBlack(f.diffuse + f.viewDependent)) return std::nullopt;
   const float pdf = chosen->pdf * share;
-  const Rgb arriving = radiance * (powerHeuristic(pdf, f.pdf) / pdf);
-  Ray shadow;
-  shadow.origin = vertex.originToward(chosen->direction);
-  shadow.direction = chosen->target - shadow.origin;
-  shadow.farthest = 1.0f - 1e-5f;
-  add(shadow, f.diffuse * arriving, f.viewDependent * arriving);
+  const float weight = powerHeuristic(pdf, f.pdf) / pdf;
+  TowardBright toward{*chosen, {}, weight * f.diffuse, weight * f.viewDependent, spreadOfScattering(f.pdf)};
+  toward.shadow.origin = vertex.originToward(chosen->direction);
+  toward.shadow.direction = chosen->target - toward.shadow.origin;
+  toward.shadow.farthest = 1.0f - 1e-5f;
+  return toward;
 }
 
 }  // namespace promenade::render

@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 /// Changes with the layout and with what decides the light.
-constexpr std::string_view kSignature = "PromenadeLight5\n";
+constexpr std::string_view kSignature = "PromenadeLight6\n";
 
 std::uint64_t checksum(std::string_view bytes) {
   return fnv1a(std::as_bytes(std::span(bytes)));

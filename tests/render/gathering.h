@@ -23,9 +23,8 @@ inline Spread gatherOften(const render::PathTracer& tracer, const glm::vec3& pos
   for (int i = 0; i < times; ++i) {
     render::Sampler::Stream stream;
     stream.seed = static_cast<std::uint32_t>(i);
-    stream.pathsPerPixel = 256;
     render::PathRays rays;
-    const double value = tracer.gather(position, normal, stream, rays, nullptr).radiance.g;
+    const double value = tracer.gather(position, normal, stream, {256, 1024}, rays).light.radiance.g;
     sum += value;
     squares += value * value;
   }

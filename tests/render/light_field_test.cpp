@@ -125,7 +125,7 @@ TEST(FieldSums, PathsInACellsMiddleAreThatCells) {
     FieldSums sums;
     for (const glm::vec3& d : LightField::directions()) sums.addPath(d, Rgb(1.0f));
     for (int i = 0; i < 1000; ++i) sums.addPath(LightField::directions()[cell], Rgb(3.0f));
-    const LightField field = sums.finish(1, 1.0f);
+    const LightField field = sums.finish({}, 1.0f);
     EXPECT_NEAR(field.at(cell).r, 3.0f, 0.02f) << cell;
     EXPECT_NEAR(field.at(cell == 0 ? 1 : cell - 1).r, 1.0f, 0.4f)
         << cell;  // held to the mean by a quarter path
@@ -135,7 +135,7 @@ TEST(FieldSums, PathsInACellsMiddleAreThatCells) {
 TEST(FieldSums, UniformLightIsUniformHoweverTheDirectionsLie) {
   FieldSums sums;
   forHemisphere(3000, [&](const glm::vec3& d) { sums.addPath(d, Rgb(2.0f, 4.0f, 8.0f)); });
-  const LightField field = sums.finish(1, 2.0f);
+  const LightField field = sums.finish({}, 2.0f);
   for (std::size_t i = 0; i < LightField::kCells; ++i) {
     EXPECT_NEAR(field.at(i).r, 1.0f, 0.02f);
     EXPECT_NEAR(field.at(i).b, 4.0f, 0.02f);
@@ -146,8 +146,8 @@ TEST(FieldSums, ALightGivesWhatItGaveAndFromWhereItWas) {
   forHemisphere(40, [](const glm::vec3& d) {
     if (d.z < 0.1f) return;
     FieldSums sums;
-    for (int i = 0; i < 4; ++i) sums.addLight(d, Rgb(0.5f));  // four paths, half a unit each
-    const LightField field = sums.finish(4, 1.0f);
+    for (int i = 0; i < 4; ++i) sums.addLight(1, d, Rgb(0.5f));  // four samples, half a unit each
+    const LightField field = sums.finish({0, 4, 0}, 1.0f);
     float share = 0.0f;
     glm::vec3 from(0.0f);
     for (std::size_t i = 0; i < LightField::kCells; ++i) {

@@ -295,7 +295,7 @@ TEST(LightSolution, RefusesOtherAndDamagedBytes) {
   const std::string bytes = toBytes(*solution, "ball");
   EXPECT_FALSE(lightSolutionFrom(bytes, "another ball"));
   EXPECT_FALSE(lightSolutionFrom("", "ball"));
-  EXPECT_FALSE(lightSolutionFrom("PromenadeLight5\n", "ball"));
+  EXPECT_FALSE(lightSolutionFrom("PromenadeLight6\n", "ball"));
   for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{30}}) {
     EXPECT_FALSE(lightSolutionFrom(bytes.substr(0, length), "ball")) << length;
   }

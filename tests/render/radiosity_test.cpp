@@ -44,11 +44,11 @@ Rgb meanByPaths(const PathTracer& tracer, const std::vector<Patch>& patches, con
   Rgb sum(0.0f);
   float area = 0.0f;
   Sampler::Stream stream;
-  stream.pathsPerPixel = static_cast<std::uint32_t>(paths);
   PathRays rays;
   for (const Patch& patch : patches) {
     stream.pixel.x += 1;
-    const SurfaceLight light = tracer.gather(patch.centre(), patch.normal, stream, rays, nullptr);
+    const SurfaceLight light =
+        tracer.gather(patch.centre(), patch.normal, stream, {paths, 4 * paths}, rays).light;
     sum += (emission + patch.reflectance * light.radiance) * patch.area;
     area += patch.area;
   }

@@ -217,5 +217,25 @@ TEST(StratifiedMean, KnowsWhatStratificationSavesAndErrsOnTheSafeSide) {
   EXPECT_GT(stated, actual);
 }
 
+TEST(DoubledMean, StatesTheSameHoweverItGrew) {
+  const auto value = [](int i) { return static_cast<float>(i * i % 7); };
+  DoubledMean atOnce(64), grown(16);
+  for (int i = 0; i < 64; ++i) atOnce.add(i, value(i));
+  for (int i = 0; i < 64; ++i) {
+    if (i == grown.count()) grown.grow();
+    grown.add(i, value(i));
+  }
+  EXPECT_EQ(grown.count(), 64);
+  EXPECT_DOUBLE_EQ(grown.squaredError(), atOnce.squaredError());
+}
+
+TEST(DoubledMean, StatesTheErrorOfTheMeanOfItsBlocks) {
+  // Two samples a block: means 0, 1, .. 7, whose variance is (8^2 - 1) / 12 = 5.25, 6 with n - 1; of the mean
+  // of eight an eighth of that.
+  DoubledMean values(16);
+  for (int i = 0; i < 16; ++i) values.add(i, static_cast<float>(i / 2));
+  EXPECT_DOUBLE_EQ(values.squaredError(), 6.0 / 8.0);
+}
+
 }  // namespace
 }  // namespace promenade::render
