@@ -11,6 +11,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(hwy REQUIRED)
+# (Debian puts the CMake files of OpenColorIO where CMake does not look.)
+pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO>=2)
 pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
 pkg_check_modules(FFTWF REQUIRED IMPORTED_TARGET fftw3f)
 # The threads library of FFTW is not in its .pc file.

@@ -5,7 +5,7 @@ set -euo pipefail
 # (openimageio-tools: the CMake files of libopenimageio-dev insist that its programs are there.)
 packages=(
   g++ cmake ninja-build pkg-config dpkg-dev
-  libembree-dev libopenexr-dev libopenimageio-dev openimageio-tools libtinygltf-dev libstb-dev libglm-dev
+  libembree-dev libopenexr-dev libopenimageio-dev libopencolorio-dev openimageio-tools libtinygltf-dev libstb-dev libglm-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libfftw3-dev libhwy-dev libtbb-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libjs-chart.js
   libgtest-dev libgmock-dev libbenchmark-dev

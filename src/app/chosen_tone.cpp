@@ -86,6 +86,7 @@ ChosenTone chosenTone(const ToneOptions& options, std::span<const io::Sequence> 
   ChosenTone chosen;
   ToneMapping& tone = chosen.mapping;
   tone.curve = options.curve;
+  tone.view = options.view;
   tone.exposureEv = 0.0;
   if (const auto stops = options.exposureEv ? options.exposureEv : commonNumber(jobs, "exposure_ev")) {
     tone.exposureEv = *stops;

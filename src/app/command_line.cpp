@@ -38,19 +38,26 @@ void addSceneOptions(CLI::App& verb, SceneOptions& o) {
   verb.add_option("--max-expansion", o.maxExpansion, "Decoded bytes for each byte read")->group(group);
 }
 
-void addTone(CLI::App& verb, std::string& tone, std::string& unit) {
+void addTone(CLI::App& verb, std::string& tone, std::string& unit, OcioOptions& ocio) {
   verb.add_option(
-          "--tone", tone,
-          "How radiance becomes light on the display. Curves: neutral, linear (clipped), agx (filmic), "
-          "schlick (rational), chiu (every place by what surrounds it). As the eye adapts along the "
-          "walk: tumblin-rushmeier (equal brightness), ward (what is just visible stays so), ferwerda "
-          "(the same of cones and rods: the dark takes colour and detail), larson (what is there "
-          "shares the display's range)")
-      ->capture_default_str();
+      "--tone", tone,
+      "How radiance becomes light on the display. Curves: neutral, linear (clipped), agx (filmic), "
+      "schlick (rational), chiu (every place by what surrounds it), ocio (of --ocio). As the eye adapts "
+      "along the "
+      "walk: tumblin-rushmeier (equal brightness), ward (what is just visible stays so), ferwerda "
+      "(the same of cones and rods: the dark takes colour and detail), larson (what is there "
+      "shares the display's range) (default: neutral, or ocio with --ocio)");
   verb.add_option("--unit", unit,
                   "For tones of the eye: cd/m2 of a radiance of 1 (default: 1 in scenes with punctual "
                   "lights, else what makes exposed white 159)")
       ->capture_default_str();
+  verb.add_option(
+      "--ocio", ocio.config,
+      "OpenColorIO config whose view is shown, instead of a curve (with --tone ocio alone: $OCIO)");
+  verb.add_option("--ocio-display", ocio.display, "Display of the config (default: its default)");
+  verb.add_option("--ocio-view", ocio.view, "View of that display (default: its default)");
+  verb.add_option("--ocio-input", ocio.input,
+                  "The config's name of linear Rec.709 (default: by usual names or ACES, else scene_linear)");
 }
 
 void addRender(CLI::App& verb, RenderOptions& o) {
@@ -103,7 +110,7 @@ void addRender(CLI::App& verb, RenderOptions& o) {
       "File that keeps the light of --integrator walkthrough: read if it is there, extended where this walk "
       "looks anew (default: DIR/light-solution.bin)");
   verb.add_option("--display", o.display, "Display preset or file; '?' lists them")->capture_default_str();
-  addTone(verb, o.tone, o.unit);
+  addTone(verb, o.tone, o.unit, o.ocio);
   verb.add_option("--exposure", o.exposure, "Stops, or 'auto': one value for the walk")
       ->capture_default_str();
   verb.add_option("--environment", o.environment, "Light from infinity: a lat-long .exr or .hdr image");
@@ -158,7 +165,7 @@ void addConverge(CLI::App& verb, ConvergeOptions& o) {
                   "Paths a sample of the converged image (path tracing, another seed); a power of two")
       ->capture_default_str();
   verb.add_option("--display", o.job.display, "Display preset or file; ? lists them")->capture_default_str();
-  addTone(verb, o.job.tone, o.job.unit);
+  addTone(verb, o.job.tone, o.job.unit, o.job.ocio);
   verb.add_option("--exposure", o.job.exposure, "Stops, or 'auto'")->capture_default_str();
   verb.add_option("--environment", o.job.environment, "Light from infinity: a lat-long .exr or .hdr image");
   verb.add_flag("--sky", o.job.sky, "Light from infinity: a clear daylight sky");
@@ -195,7 +202,7 @@ void addCompare(CLI::App& verb, CompareOptions& o) {
   verb.add_option("--layer", o.layer,
                   "Layer of the EXR files that holds the picture, as diffuse (default: the whole picture)");
   verb.add_option("--mask", o.mask, "Image, or sequence, that is white where pixels count (default: all do)");
-  addTone(verb, o.tone, o.unit);
+  addTone(verb, o.tone, o.unit, o.ocio);
   verb.add_option("--exposure", o.exposure, "Stops for EXR frames, or 'auto'")->capture_default_str();
   verb.add_option(
       "--maps", o.maps,
@@ -226,7 +233,7 @@ void addEncode(CLI::App& verb, EncodeOptions& o) {
   verb.add_option("input", o.input, "Rendered folder, sequence or video")->required();
   verb.add_option("output", o.output, "Video: .mp4 (H.264), .mkv (FFV1), .webm (VP9), .gif")->required();
   verb.add_option("--display", o.display, "Display preset or file (default: as rendered, else fhd-24)");
-  addTone(verb, o.tone, o.unit);
+  addTone(verb, o.tone, o.unit, o.ocio);
   verb.add_option("--exposure", o.exposure,
                   "Stops for EXR frames, or 'auto': as rendered, else from the frames")
       ->capture_default_str();

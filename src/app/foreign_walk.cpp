@@ -132,6 +132,7 @@ ToneMapping toneOf(const ForeignWalk& walk, ForeignFrames& frames) {
   const ToneOptions& asked = job.values.tone;
   ToneMapping tone;
   tone.curve = asked.curve;
+  tone.view = asked.view;
   std::map<int, fs::path> keyframes;
   if (!asked.exposureEv || modelsTheEye(tone.curve)) {
     for (const int index : certainKeyframes(walk.parts)) {

@@ -27,6 +27,7 @@ walkthrough::Report reportOf(const LoadedJob& job, const Preparation& choices, i
                 .directory = std::filesystem::current_path().string()};
   report.settings = job.settings;
   report.settings.tone = choices.tone;
+  report.settings.tone.view = job.settings.tone.view;
   if (choices.light) report.light = choices.light->report;
   report.seconds.load = job.secondsLoading;
   report.seconds.indirect = choices.secondsIndirect;

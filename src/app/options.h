@@ -9,6 +9,7 @@
 
 #include "src/app/console.h"
 #include "src/app/farm_options.h"
+#include "src/app/ocio_options.h"
 #include "src/app/scene_options.h"
 
 namespace promenade::app {
@@ -34,7 +35,8 @@ struct RenderOptions {
   std::string integrator = "walkthrough";
   std::string lightSolution;  ///< empty: DIR/light-solution.bin
   std::string display = "fhd-24";
-  std::string tone = "neutral";
+  std::string tone;  ///< empty: neutral, or ocio where that is given
+  OcioOptions ocio;
   std::string exposure = "auto";
   std::string unit = "auto";
   std::string environment;
@@ -74,7 +76,8 @@ struct CompareOptions {
   PipelineOptions pipeline;
   std::string layer;  ///< of OpenEXR files; empty: the whole picture
   std::string mask;   ///< image or sequence; empty: every pixel counts
-  std::string tone = "neutral";
+  std::string tone;   ///< empty: neutral, or ocio where that is given
+  OcioOptions ocio;
   std::string exposure = "auto";
   std::string unit = "auto";
   std::string maps;
@@ -98,7 +101,8 @@ struct EncodeOptions {
   std::string input;
   std::string output;
   std::string display;  ///< empty: as rendered, else fhd-24
-  std::string tone = "neutral";
+  std::string tone;     ///< empty: neutral, or ocio where that is given
+  OcioOptions ocio;
   std::string exposure = "auto";
   std::string unit = "auto";
   std::string fps;

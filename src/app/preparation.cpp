@@ -124,7 +124,10 @@ PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int thread
   const std::optional<Preparation> known = preparationIn(folder, job.hash);
   PreparedJob prepared;
   Preparation& choices = prepared.choices;
-  if (known) choices = *known;
+  if (known) {
+    choices = *known;
+    choices.tone.view = job.settings.tone.view;
+  }
   Solution solution;
   if (solves && known) {
     solution = lightAsBefore(job, folder, *known, threads, console);

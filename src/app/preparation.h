@@ -45,7 +45,7 @@ struct PreparedJob {
 [[nodiscard]] PreparedJob prepare(const LoadedJob& job, const OutputFolder& folder, int threads,
                                   Console& console);
 
-/// What an earlier run of the job decided.
+/// What an earlier run of the job decided; without the view of the tone, which is the job's own.
 [[nodiscard]] std::optional<Preparation> preparationIn(const OutputFolder& folder,
                                                        const std::string& jobHash);
 

@@ -61,6 +61,11 @@ bool decidesPixels(const std::string& option) {
                                                 "fps",
                                                 "frames",
                                                 "display",
+                                                "tone",
+                                                "ocio",
+                                                "ocio-display",
+                                                "ocio-view",
+                                                "ocio-input",
                                                 "environment",
                                                 "light-solution",
                                                 "video",
@@ -102,7 +107,7 @@ RenderValues renderValues(const RenderOptions& options) {
                  : walkthrough::Method::kImageBased;
   (void)choiceFrom(options.integrator, {"walkthrough", "path"}, "--integrator");
   v.display = displayNamed(options.display);
-  v.tone = toneOptionsFrom(options.tone, options.exposure, options.unit);
+  v.tone = toneOptionsFrom(options.tone, options.exposure, options.unit, options.ocio);
   v.threads = integerFrom(options.threads, 0, 4096, "--threads");
   v.seed = seedFrom(options.seed);
   if (!options.video.empty()) (void)io::videoFormatOf(options.video);
@@ -165,6 +170,7 @@ walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValu
   s.seed = values.seed;
   s.display = values.display;
   s.tone.curve = values.tone.curve;
+  s.tone.view = values.tone.view;
   return s;
 }
 
@@ -173,6 +179,7 @@ ToneMapping toneFor(const RenderValues& values, const Scene& scene, const paths:
   ToneMapping tone;
   const ToneOptions& asked = values.tone;
   tone.curve = asked.curve;
+  tone.view = asked.view;
   tone.exposureEv = asked.exposureEv
                         ? *asked.exposureEv
                         : walkthrough::automaticExposure(path, settings.frames, renderer, settings.size);
@@ -222,6 +229,8 @@ std::string jobHash(const RenderOptions& options, const walkthrough::Settings& s
     f.add(c.x);
     f.add(c.y);
   }
+  f.add(std::string(nameOf(settings.tone.curve)));
+  if (settings.tone.view) f.add(settings.tone.view->fingerprint);
   for (const auto& [name, value] : options.all) {
     if (decidesPixels(name)) {
       f.add(name);

@@ -41,7 +41,7 @@ struct RenderValues {
 [[nodiscard]] paths::CameraPath walkFor(const RenderOptions& options, const RenderValues& values,
                                         const Scene& scene);
 
-/// Settings of the walkthrough; of the tone mapping the curve alone.
+/// Settings of the walkthrough; of the tone mapping the curve (and its view) alone.
 [[nodiscard]] walkthrough::Settings settingsFor(const RenderOptions& options, const RenderValues& values,
                                                 const paths::CameraPath& path);
 

@@ -53,6 +53,13 @@ RenderedJob jobFrom(const Json& root, const std::string& file) {
   if (const Json& spp = job.at("spp"); !spp.is_null()) r.pathsPerSample = spp.get<int>();
   r.threads = job.at("threads").get<int>();
   r.tone.curve = toneFrom(job.at("tone").get<std::string>(), file + ": job.tone");
+  if (r.tone.curve == ToneCurve::kOcio) {
+    const Json& view = job.at("ocio");
+    r.tone.view = viewFrom({.config = view.at("config"),
+                            .display = view.at("display"),
+                            .view = view.at("view"),
+                            .input = view.at("input")});
+  }
   r.tone.exposureEv = job.at("exposure_ev").get<double>();
   r.tone.candelasPerUnit = job.value("luminance_unit", candelasFromExposure(r.tone.exposureEv));
   r.tone.adaptation = adaptationFromJson(job, file);

@@ -132,16 +132,23 @@ std::optional<double> exposureFrom(const std::string& text, const std::string& o
   return *stops;
 }
 
-ToneOptions toneOptionsFrom(const std::string& tone, const std::string& exposure, const std::string& unit) {
-  const ToneOptions options{toneFrom(tone, "--tone"), exposureFrom(exposure, "--exposure"),
-                            unitFrom(unit, "--unit")};
+ToneOptions toneOptionsFrom(const std::string& tone, const std::string& exposure, const std::string& unit,
+                            const OcioOptions& ocio) {
+  const ToneCurve otherwise = ocio.areGiven() ? ToneCurve::kOcio : ToneCurve::kNeutral;
+  ToneOptions options{tone.empty() ? otherwise : toneFrom(tone, "--tone"),
+                      exposureFrom(exposure, "--exposure"), unitFrom(unit, "--unit"), nullptr};
   if (options.candelasPerUnit && !modelsTheEye(options.curve)) {
-    throw InputError("--unit: only the tones of the eye ask for it, '" + tone + "' was chosen");
+    throw InputError("--unit: only the tones of the eye ask for it, '" + std::string(nameOf(options.curve)) +
+                     "' was chosen");
+  }
+  if (ocio.areGiven() && options.curve != ToneCurve::kOcio) {
+    throw InputError("--ocio: is the tone of a config (--tone ocio), '" + tone + "' was chosen");
   }
   if (options.candelasPerUnit && options.exposureEv) {
     throw InputError(
         "--unit, --exposure: expected one of them, found both: either says how bright the world is");
   }
+  if (options.curve == ToneCurve::kOcio) options.view = viewFrom(ocio);
   return options;
 }
 

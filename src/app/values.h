@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "src/app/ocio_options.h"
 #include "src/core/image.h"
 #include "src/core/tone_mapping.h"
 
@@ -48,13 +49,14 @@ struct Crop {
 
 struct ToneOptions {
   ToneCurve curve = ToneCurve::kNeutral;
-  std::optional<double> exposureEv;       ///< nothing: automatic
-  std::optional<double> candelasPerUnit;  ///< nothing: automatic
+  std::optional<double> exposureEv;        ///< nothing: automatic
+  std::optional<double> candelasPerUnit;   ///< nothing: automatic
+  std::shared_ptr<const ColourView> view;  ///< of ToneCurve::kOcio, else null
 };
-/// --tone, --exposure, --unit together: the unit is for tones of the eye, and a given exposure already says
-/// what it is (candelasFromExposure()).
+/// --tone, --exposure, --unit and --ocio together: the unit is for tones of the eye, and a given exposure
+/// already says what it is (candelasFromExposure()). No tone is neutral, with anything of --ocio it is that.
 [[nodiscard]] ToneOptions toneOptionsFrom(const std::string& tone, const std::string& exposure,
-                                          const std::string& unit);
+                                          const std::string& unit, const OcioOptions& ocio = {});
 
 /// One of `choices` (the text itself); names the nearest otherwise.
 [[nodiscard]] std::string choiceFrom(const std::string& text, std::span<const std::string_view> choices,

@@ -153,7 +153,7 @@ ExitStatus runCompare(const CompareOptions& options, Console& console) {
   if (!options.ambient.empty()) {
     viewing.display.ambientIlluminance = numberFrom(options.ambient, 0.0, 1e6, "--ambient");
   }
-  const ToneOptions toneOptions = toneOptionsFrom(options.tone, options.exposure, options.unit);
+  const ToneOptions toneOptions = toneOptionsFrom(options.tone, options.exposure, options.unit, options.ocio);
   viewing.absolute = options.absolute;
   viewing.pixelsPerDegree = options.ppd.empty() ? viewing.display.pixelsPerDegree()
                                                 : numberFrom(options.ppd, 1.0, 10'000.0, "--ppd");

@@ -56,8 +56,9 @@ ExitStatus runEncode(const EncodeOptions& options, Console& console) {
   const double framesPerSecond = framesPerSecondOf(options, sequence, reader);
   const io::FrameRate rate = io::frameRateFrom(framesPerSecond);
   const DisplayModel display = displayOf(options, sequence);
-  const ChosenTone tone = chosenTone(toneOptionsFrom(options.tone, options.exposure, options.unit),
-                                     std::span(&sequence, 1), framesPerSecond);
+  const ChosenTone tone =
+      chosenTone(toneOptionsFrom(options.tone, options.exposure, options.unit, options.ocio),
+                 std::span(&sequence, 1), framesPerSecond);
 
   std::optional<io::VideoWriter> writer;
   const ProgressCallback progress = console.progress();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <numbers>
@@ -18,7 +19,8 @@ namespace {
 
 constexpr std::array kCurves = {ToneCurve::kNeutral,  ToneCurve::kLinear,           ToneCurve::kAgx,
                                 ToneCurve::kSchlick,  ToneCurve::kTumblinRushmeier, ToneCurve::kWard,
-                                ToneCurve::kFerwerda, ToneCurve::kLarson,           ToneCurve::kChiu};
+                                ToneCurve::kFerwerda, ToneCurve::kLarson,           ToneCurve::kChiu,
+                                ToneCurve::kOcio};
 
 float cleaned(float value, float largest) {
   return value > 0.0f ? std::min(value, largest) : 0.0f;
@@ -46,6 +48,14 @@ FrameTone::Curve seen(double candelasPerUnit, const DisplayModel& display,
   return [=, model = std::move(model)](const Rgb& radiance) {
     return (model(cleaned(radiance * unit, 1e12f)) - Rgb(dark)) / range;
   };
+}
+
+// What the view makes of it are code values already.
+FrameTone viewed(double stops, std::shared_ptr<const ColourView> view) {
+  assert(view);
+  return {exposed(stops, [view = std::move(view)](
+                             const Rgb& radiance) { return cleaned(view->codes(radiance), 1.0f); }),
+          [](const Rgb& codes) { return codes; }};
 }
 
 FrameTone::Coding codingFor(const DisplayModel& display) {
@@ -84,6 +94,8 @@ const char* nameOf(ToneCurve curve) {
       return "ferwerda";
     case ToneCurve::kLarson:
       return "larson";
+    case ToneCurve::kOcio:
+      return "ocio";
   }
   return "";
 }
@@ -95,6 +107,7 @@ bool modelsTheEye(ToneCurve curve) {
     case ToneCurve::kAgx:
     case ToneCurve::kSchlick:
     case ToneCurve::kChiu:
+    case ToneCurve::kOcio:
       return false;
     case ToneCurve::kTumblinRushmeier:
     case ToneCurve::kWard:
@@ -148,6 +161,8 @@ FrameTone ToneMapping::at(int frame, const DisplayModel& display) const {
     case ToneCurve::kChiu:
       return FrameTone(exposed(exposureEv, linear), codingFor(display))
           .scaledBySurroundings(static_cast<float>(std::exp2(exposureEv)));
+    case ToneCurve::kOcio:
+      return viewed(exposureEv, view);
     case ToneCurve::kLinear:
       break;
   }

@@ -4,11 +4,13 @@
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "src/core/adaptation.h"
 #include "src/core/chiu.h"
+#include "src/core/colour_view.h"
 #include "src/core/display.h"
 #include "src/core/image.h"
 
@@ -20,6 +22,7 @@ enum class ToneCurve {
   kAgx,      ///< filmic; bright colours run to white
   kSchlick,  ///< rational
   kChiu,     ///< linear, but every place scaled by what surrounds it
+  kOcio,     ///< a view of an OpenColorIO config
   // Models of the eye: of an eye adapted to the world, and to half of the display's white.
   kTumblinRushmeier,  ///< equal brightness
   kWard,              ///< equal contrast thresholds
@@ -48,8 +51,8 @@ class FrameTone {
   /// Of pictures of this frame, one or two that are to be compared; of a tone that knows of none, nothing.
   [[nodiscard]] Surroundings around(std::initializer_list<const RadianceMap*> pictures) const;
 
-  /// The linear drive signal in [0, 1], in Rec.709, for a radiance. Not-a-number and negative radiance are
-  /// 0.
+  /// The linear drive signal in [0, 1], in Rec.709, for a radiance; of ToneCurve::kOcio the code values,
+  /// which code() then leaves as they are. Not-a-number and negative radiance are 0.
   [[nodiscard]] Rgb drive(const Rgb& radiance) const;
   [[nodiscard]] double blur() const { return blur_; }
   [[nodiscard]] bool asksForSurroundings() const { return surroundingsExposure_.has_value(); }
@@ -68,7 +71,8 @@ struct ToneMapping {
   ToneCurve curve = ToneCurve::kNeutral;
   double exposureEv = 0.0;       ///< radiance is multiplied by 2^exposureEv before a curve that is no model
   double candelasPerUnit = 1.0;  ///< for the models: cd/m2 of a radiance of 1
-  AdaptationCurve adaptation = {};  ///< for the models
+  AdaptationCurve adaptation = {};                   ///< for the models
+  std::shared_ptr<const ColourView> view = nullptr;  ///< for kOcio, never null there
 
   [[nodiscard]] FrameTone at(int frame, const DisplayModel& display) const;
 };

@@ -1,5 +1,6 @@
 #include "src/io/library_versions.h"
 
+#include <OpenColorIO/OpenColorIO.h>
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/imageio.h>
 
@@ -28,6 +29,7 @@ std::string ofOpenImageIO(int version) {
 
 std::vector<std::pair<std::string, std::string>> libraryVersions() {
   return {{"OpenImageIO", ofOpenImageIO(OIIO::openimageio_version())},
+          {"OpenColorIO", OCIO_NAMESPACE::GetVersion()},
           {"OpenEXR", OPENEXR_VERSION_STRING},
           {"libavcodec", ofLibav(avcodec_version())},
           {"libavformat", ofLibav(avformat_version())},

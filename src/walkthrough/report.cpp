@@ -46,6 +46,14 @@ OrderedJson displayJson(const DisplayModel& d) {
           {"signal", d.signal == Signal::kNative ? "native" : "srgb"}};
 }
 
+OrderedJson viewJson(const ToneMapping& tone) {
+  if (!tone.view) return OrderedJson();
+  return {{"config", tone.view->config},
+          {"display", tone.view->display},
+          {"view", tone.view->view},
+          {"input", tone.view->input}};
+}
+
 OrderedJson jobJson(const Report& report) {
   const Settings& s = report.settings;
   const JobDescription& job = report.job;
@@ -72,6 +80,7 @@ OrderedJson jobJson(const Report& report) {
           {"spp", job.pathsPerSample ? OrderedJson(*job.pathsPerSample) : OrderedJson()},
           {"spp_automatic", s.stopping.has_value()},
           {"tone", nameOf(s.tone.curve)},
+          {"ocio", viewJson(s.tone)},
           {"exposure_ev", s.tone.exposureEv},
           {"luminance_unit", s.tone.candelasPerUnit},
           {"adaptation", adaptationJson(s.tone)},

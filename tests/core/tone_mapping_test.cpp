@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace promenade {
 namespace {
@@ -24,8 +25,15 @@ DisplayModel tube() {
   return display;
 }
 
+/// A view whose code values are the radiance.
+std::shared_ptr<const ColourView> asItIs() {
+  ColourView view;
+  view.codes = [](const Rgb& radiance) { return radiance; };
+  return std::make_shared<const ColourView>(view);
+}
+
 ToneMapping eyeAt(ToneCurve curve, double adaptation) {
-  return {.curve = curve, .adaptation = AdaptationCurve({{0, adaptation}}, 25.0)};
+  return {.curve = curve, .adaptation = AdaptationCurve({{0, adaptation}}, 25.0), .view = asItIs()};
 }
 
 TEST(ToneMapping, LinearClipsAtOne) {
@@ -74,7 +82,7 @@ TEST(ToneMapping, NeutralRisesWithRadianceAndStaysInRange) {
 TEST(ToneMapping, WhatIsNotARadianceBecomesBlackAndTheInfiniteWhite) {
   for (const ToneCurve curve : allToneCurves()) {
     SCOPED_TRACE(nameOf(curve));
-    const ToneMapping tone{.curve = curve};
+    const ToneMapping tone{.curve = curve, .view = asItIs()};
     EXPECT_EQ(driven(Rgb(kNan), tone), Rgb(0.0f));
     EXPECT_EQ(driven(Rgb(-3.0f), tone), Rgb(0.0f));
     const Rgb white = driven(Rgb(kInfinity), tone);
@@ -89,6 +97,23 @@ TEST(EncodeForDisplay, IsTheToneCurveThenSrgb) {
       encodeForDisplay(radiance, ToneMapping{.curve = ToneCurve::kLinear}.at(0, DisplayModel{}));
   EXPECT_NEAR(encoded(0, 0).r, 0.4613561f, 1e-6f);
   EXPECT_NEAR(encoded(0, 0).b, 1.0f, 1e-6f);
+}
+
+TEST(ToneMapping, WhatAConfigShowsAreCodeValuesWhateverTheDisplay) {
+  ColourView view;
+  view.codes = [](const Rgb& radiance) { return Rgb(2.0f * radiance.r, -radiance.g, kNan); };
+  DisplayModel display;
+  display.signal = Signal::kNative;
+  display.transfer = TransferFunction::kLinear;
+  const ToneMapping tone{
+      .curve = ToneCurve::kOcio, .exposureEv = -1.0, .view = std::make_shared<const ColourView>(view)};
+  // 2 * 0.3 behind an exposure of a half; what is below black, or nothing, is black.
+  const EncodedMap encoded = encodeForDisplay(RadianceMap(1, 1, Rgb(0.3f, 0.5f, 0.5f)), tone.at(0, display));
+  EXPECT_NEAR(encoded(0, 0).r, 0.3f, 1e-6f);
+  EXPECT_EQ(encoded(0, 0).g, 0.0f);
+  EXPECT_EQ(encoded(0, 0).b, 0.0f);
+  // The display makes light of them as of any code values.
+  EXPECT_NEAR(displayLuminance(encoded, display)(0, 0), display.luminanceOf(Rgb(0.3f, 0.0f, 0.0f)), 1e-3f);
 }
 
 TEST(ToneMapping, EveryCurveRisesFromBlackToWhite) {

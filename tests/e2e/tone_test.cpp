@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "src/core/tone_mapping.h"
+#include "src/io/sequence.h"
 #include "tests/e2e/exr_files.h"
+#include "tests/io/ocio_config.h"
 
 namespace promenade::e2e {
 namespace {
@@ -63,6 +66,7 @@ TEST_F(Tone, IsTheSameForEveryoneWhoLooksAtTheFrames) {
 TEST_F(Tone, OfEveryNameRendersAndCompares) {
   expectDone(render("out", {}));
   for (const ToneCurve curve : allToneCurves()) {
+    if (curve == ToneCurve::kOcio) continue;  // asks for a config: below
     expectDone(run({"encode", at("out"), at("v.mkv"), "--tone", nameOf(curve)}));
     const Outcome outcome =
         run({"compare", at("out"), at("out"), "--tone", nameOf(curve), "--fail-above", "0"});
@@ -89,6 +93,61 @@ TEST_F(Tone, AdaptsToBothSidesOfAComparison) {
     EXPECT_GT(compared("a.exr", "b.exr"), 0.03) << tone;
     EXPECT_EQ(compared("a.exr", "b.exr"), compared("b.exr", "a.exr")) << tone;
   }
+}
+
+TEST_F(Tone, OfAConfigIsItsView) {
+  const std::string config = tests::writeOcioConfig(folder_).string();
+  writeExr(at("a.exr"), 32, 16, {{"R", constant(0.25)}, {"G", constant(0.5)}, {"B", constant(1.0)}});
+  const auto shown = [&](const Arguments& choice) {
+    Arguments all = {"encode", at("a.exr"), at("a.mkv"), "--exposure", "0"};
+    all.insert(all.end(), choice.begin(), choice.end());
+    expectDone(run(all));
+    return std::get<EncodedMap>(io::SequenceReader(io::resolveSequence(at("a.mkv"))).next()->colour)(16, 8);
+  };
+  // FFV1 holds 8 bits of RGB or 10 of Y'CbCr: within two steps of 8 bits.
+  const auto expectShown = [&](const Arguments& choice, const Rgb& expected) {
+    const Rgb code = shown(choice);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(code[i], expected[i], 2.0 / 255.0) << testing::PrintToString(choice);
+  };
+  // As tests/io/ocio_config.h has it: (0.5, 0.25, 0.5), then the table.
+  expectShown({"--ocio", config}, Rgb(0.8f, 0.4f, 0.8f));
+  expectShown({"--tone", "ocio", "--ocio", config, "--ocio-view", "Plain"}, Rgb(0.25f, 0.5f, 1.0f));
+  expectShown({"--ocio", config, "--ocio-display", "Wall", "--ocio-input", "halves"},
+              Rgb(0.125f, 0.25f, 0.5f));
+  ::setenv("OCIO", config.c_str(), 1);
+  expectShown({"--tone", "ocio"}, Rgb(0.8f, 0.4f, 0.8f));
+  // Who does not ask for it does not get it.
+  expectShown({"--tone", "linear"}, Rgb(encodeSrgb(0.25f), encodeSrgb(0.5f), 1.0f));
+  ::unsetenv("OCIO");
+}
+
+TEST_F(Tone, OfAConfigIsOfTheJob) {
+  const std::string config = tests::writeOcioConfig(folder_).string();
+  expectDone(render("out", {"--ocio", config, "--video", at("made.mkv")}));
+  const nlohmann::json job = jobOf("out");
+  EXPECT_EQ(job["tone"], "ocio");
+  EXPECT_EQ(job["ocio"]["view"], "Swapped");
+  expectDone(run({"encode", at("out"), at("again.mkv"), "--ocio", config}));
+  EXPECT_LT(difference("made.mkv", "again.mkv"), 0.002);
+  expectDone(run({"report", at("out")}));
+  expectDone(run({"compare", at("out"), at("out"), "--ocio", config, "--fail-above", "0"}));
+  // The same view, asked for by its name, is the same job; another one is not.
+  expectDone(render("out", {"--ocio", config, "--ocio-view", "Swapped", "--video", at("made.mkv")}));
+  expectRefused(render("out", {"--ocio", config, "--ocio-view", "Plain", "--video", at("made.mkv")}),
+                "--overwrite");
+}
+
+TEST_F(Tone, OfAConfigThatMakesNoSenseIsRefused) {
+  ::unsetenv("OCIO");
+  const std::string config = tests::writeOcioConfig(folder_).string();
+  expectRefused(render("out", {"--tone", "ocio", "--ocio-view", "Plain"}),
+                "there is no config; expected --ocio FILE");
+  expectRefused(render("out", {"--ocio", config, "--tone", "agx"}), "--ocio: is the tone of a config");
+  expectRefused(render("out", {"--ocio", config, "--ocio-display", "Cinema"}), "'Screen', 'Wall'");
+  expectRefused(render("out", {"--ocio", at("none.ocio")}), "none.ocio");
+  writeText(at("bad.ocio"), "colorspaces: [");
+  expectRefused(render("out", {"--ocio", at("bad.ocio")}), "bad.ocio: OpenColorIO:");
 }
 
 TEST_F(Tone, AndDisplayThatMakeNoSenseAreRefused) {

@@ -13,7 +13,7 @@ dpkg-deb --info "$deb"
 
 # The libraries that it needs, as dpkg-shlibdeps found them; no package for building.
 depends=$(dpkg-deb --field "$deb" Depends)
-for library in libembree libopenimageio libavcodec libfftw3 libtbb libc6; do
+for library in libembree libopenimageio libopencolorio libavcodec libfftw3 libtbb libc6; do
   case "$depends" in *"$library"*) ;; *) fail "the package does not depend on $library: $depends" ;; esac
 done
 case "$depends" in *-dev*) fail "the package depends on a -dev package: $depends" ;; esac
