@@ -77,10 +77,16 @@ def render(request, options):
     scene.render.resolution_x = request["width"]
     scene.render.resolution_y = request["height"]
     scene.render.resolution_percentage = 100
+    scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1.0
     scene.render.use_border = False
+    scene.render.use_motion_blur = False
+    scene.render.use_multiview = False
     scene.render.use_compositing = False
     scene.render.use_sequencer = False
-    scene.view_layers[0].use_pass_z = True
+    # One picture a file: the layer that was last looked at.
+    for layer in scene.view_layers:
+        layer.use = layer == bpy.context.view_layer
+    bpy.context.view_layer.use_pass_z = True
     output = scene.render.image_settings
     output.file_format = "OPEN_EXR_MULTILAYER"
     output.color_depth = "32"

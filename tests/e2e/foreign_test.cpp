@@ -1,10 +1,12 @@
 // Walks made of frames that another renderer made: --from and --renderer.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "src/io/exr_frame.h"
 #include "tests/e2e/tiny_scene.h"
@@ -142,6 +144,80 @@ TEST_F(Blender, RendersKeyframesWhenItIsAsked) {
   // Promenade's own depth of the same frame: the wall at z = -3, seen from z = 1.
   const auto frame = io::readFrame(at("out/frames/000000.exr"));
   EXPECT_NEAR(frame.depth(32, 18), 4.0f, 1e-3f);
+}
+
+// A room of one bright wall, saved with settings that would spoil a frame that must be all of the picture:
+// half the size, pixels of 2 to 1, a border, motion blur, a second layer of view. Its camera moves 0.1 m to
+// the right in three frames; 1600 to 900 pixels through 50 mm in front of a sensor 36 mm wide.
+constexpr const char* kMakeBlend = R"(
+import bpy, math, sys
+bpy.ops.wm.read_factory_settings(use_empty=True)
+scene = bpy.context.scene
+bpy.ops.mesh.primitive_plane_add(size=20, location=(0, 3, 0), rotation=(math.pi / 2, 0, 0))
+paint = bpy.data.materials.new("paint")
+paint.use_nodes = True
+nodes = paint.node_tree.nodes
+light = nodes.new("ShaderNodeEmission")
+light.inputs["Color"].default_value = (0.25, 0.5, 0.75, 1)
+paint.node_tree.links.new(light.outputs["Emission"], nodes["Material Output"].inputs["Surface"])
+bpy.context.object.data.materials.append(paint)
+lens = bpy.data.cameras.new("lens")
+camera = bpy.data.objects.new("camera", lens)
+camera.rotation_euler = (math.pi / 2, 0, 0)
+scene.collection.objects.link(camera)
+scene.camera = camera
+for frame, x in ((1, 0.0), (3, 0.1)):
+    camera.location = (x, -1, 0)
+    camera.keyframe_insert("location", frame=frame)
+for curve in camera.animation_data.action.fcurves:
+    for point in curve.keyframe_points:
+        point.interpolation = "LINEAR"
+scene.frame_start, scene.frame_end = 1, 3
+render = scene.render
+render.resolution_x, render.resolution_y, render.resolution_percentage = 1600, 900, 50
+render.use_border, render.border_max_x = True, 0.5
+render.use_motion_blur = True
+scene.view_layers.new("notes")
+bpy.ops.wm.save_as_mainfile(filepath=sys.argv[-1])
+)";
+
+TEST_F(Blender, RendersABlendAlongTheWalkOfItsCamera) {
+  if (std::system("blender --version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "SKIPPED: blender is not installed (Debian: apt-get install blender python3-numpy)";
+  }
+  writeText(at("make.py"), kMakeBlend);
+  const std::string scripts = std::string(PROMENADE_SOURCE_DIR) + "/examples/blender/";
+  const auto blender = [&](const std::string& arguments) {
+    return std::system(("blender -b " + arguments + " > " + at("said") + " 2>&1").c_str());
+  };
+  ASSERT_EQ(blender("--factory-startup -P " + at("make.py") + " -- " + at("room.blend")), 0)
+      << contents(at("said"));
+  ASSERT_EQ(blender(at("room.blend") + " --factory-startup -P " + scripts + "export_walk.py -- --out " +
+                    at("walk.json")),
+            0)
+      << contents(at("said"));
+  const Outcome outcome = Process({"render", at("room.blend"), "--path", at("walk.json"), "--renderer",
+                                   "blender -b {scene} --factory-startup -P " + scripts +
+                                       "render_frame.py -- --camera {camera} --out {out} --samples 1",
+                                   "--out", at("out"), "--size", "64x36", "--supersample", "1", "--spacing",
+                                   "2", "--exposure", "0"})
+                              .wait(std::chrono::seconds(300));
+  expectDone(outcome);
+  ASSERT_EQ(framesIn(at("out")), 3);
+  // The wall is at z = -3 of glTF, the camera at z = 1; the frame between is warped from the two.
+  for (const char* name : {"000000.exr", "000001.exr", "000002.exr"}) {
+    const auto frame = io::readFrame(at("out/frames/") + name);
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(32, 18), std::pair(63, 35)}) {
+      EXPECT_NEAR(frame.depth(x, y), 4.0f, 1e-3f) << name;
+      EXPECT_NEAR(frame.radiance(x, y).r, 0.25f, 1e-3f) << name;
+      EXPECT_NEAR(frame.radiance(x, y).b, 0.75f, 1e-3f) << name;
+    }
+  }
+  const Camera last = io::readFrame(at("out/frames/000002.exr")).metadata.camera;
+  EXPECT_NEAR(last.pose().eye.x, 0.1, 1e-5);
+  EXPECT_NEAR(last.pose().eye.z, 1.0, 1e-5);
+  // Half of the sensor's 36 mm over 50 mm, times 900 / 1600.
+  EXPECT_NEAR(std::tan(last.verticalFieldOfView() / 2.0), 0.36 * 900.0 / 1600.0, 1e-5);
 }
 
 }  // namespace
