@@ -39,12 +39,13 @@ std::uint64_t countReused(const WarpedPair& keyframes, const Mask& holes) {
 }  // namespace
 
 Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
-                      const ItemVerdict& verdict, const Renderer& renderer) {
+                      const Mask& disputed, const ItemVerdict& verdict, const Renderer& renderer) {
   Retrace retrace{holes.clone(), Mask(item.size()), {}};
   enum class Trust { kWhole, kWhereBothAgree, kNone };
   std::unordered_map<ItemId, Trust> trusted;
   const auto items = item.pixels();
   const auto sources = source.pixels();
+  const auto contradicted = disputed.pixels();
   const auto hole = retrace.holes.pixels();
   const auto selected = retrace.items.pixels();
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -56,8 +57,9 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
                       : verdict.proven.contains(id)      ? Trust::kWhereBothAgree
                                                          : Trust::kNone;
     }
-    const bool isTraced = entry->second == Trust::kNone ||
-                          (entry->second == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
+    const bool bothAgree = sources[i] == SampleSource::kBlended && contradicted[i] == 0;
+    const bool isTraced =
+        entry->second == Trust::kNone || (entry->second == Trust::kWhereBothAgree && !bothAgree);
     if (isTraced && hole[i] == 0) selected[i] = 1;
   }
   std::vector<ItemId> list;
@@ -88,9 +90,10 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.warp);
     WarpedPair& keyframes = sources.keyframes;
+    const Mask disputed = disputedSamples(keyframes, renderer);
     blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
-    retrace =
-        selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, verdict, renderer);
+    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
+                            verdict, renderer);
     reused = countReused(keyframes, blended.holes);
   }
   RetracedItems items;

@@ -63,7 +63,7 @@ Look compareAsSeen(const ComparedPair& pair, int frame, const VelocityMap& veloc
 
 }  // namespace
 
-ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced) {
+ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced, const Mask& disputed) {
   const Size size = warped.target.depth.size();
   const Rgb fill = meanRadiance(warped);
   ComparedPair pair{RadianceMap(size), RadianceMap(size), Mask(size), Mask(size)};
@@ -73,7 +73,7 @@ ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced) {
       const bool last = isValid(warped.fromLast, x, y);
       Rgb a = first ? radianceOf(warped.fromFirst, x, y) : last ? radianceOf(warped.fromLast, x, y) : fill;
       Rgb b = last ? radianceOf(warped.fromLast, x, y) : a;
-      if ((!first && !last) || traced.contains(warped.target.item(x, y))) {
+      if ((!first && !last) || disputed(x, y) != 0 || traced.contains(warped.target.item(x, y))) {
         pair.excluded(x, y) = 1;
         b = a;
       } else if (first != last) {
@@ -144,7 +144,8 @@ ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item
 Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const VelocityMap& velocity,
                       const Renderer& renderer, const Settings& settings) {
   const int factor = settings.supersample;
-  ComparedPair pair = comparedPair(warped, ItemSet());
+  const Mask disputed = disputedHereAndThere(disputedSamples(warped, renderer), warped);
+  ComparedPair pair = comparedPair(warped, ItemSet(), disputed);
   Look look = compareAsSeen(pair, segment.middle(), velocity, settings);
 
   const ItemBuffer item = resolveVisibility(warped.target, factor).item;
@@ -159,7 +160,7 @@ Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const Ve
     look = compareAsSeen(pair, segment.middle(), velocity, settings);
     judgement.items.matt = judged().failing;
     // A mask laid over the finished map would let the failing items speak through filters and pooling.
-    pair = comparedPair(warped, judgement.items.failing);
+    pair = comparedPair(warped, judgement.items.failing, disputed);
     look = compareAsSeen(pair, segment.middle(), velocity, settings);
   }
   Mask excluded = resolveMask(pair.excluded, factor);

@@ -6,31 +6,25 @@
 #include <vector>
 
 #include "aqm/metric.h"
-#include "ibr/warp.h"
 #include "src/core/renderer.h"
+#include "src/walkthrough/disputed.h"
 #include "src/walkthrough/item_set.h"
 #include "src/walkthrough/walkthrough.h"
 
 namespace promenade::walkthrough {
 
-/// Both keyframes of a segment as seen from one of its inbetweens, at sample resolution.
-struct WarpedPair {
-  Visibility target;
-  ibr::Warped fromFirst;
-  ibr::Warped fromLast;
-};
-
 /// The two images that the metric is given. Where nothing can be compared they are equal.
 struct ComparedPair {
   RadianceMap fromFirst;  ///< samples
   RadianceMap fromLast;   ///< samples
-  Mask excluded;          ///< samples that will be traced: holes and `traced` items
+  Mask excluded;          ///< samples that will be traced: holes, disputed ones, and `traced` items
   Mask unverified;        ///< samples that only one keyframe fills
 };
 
-/// Holes, samples that one keyframe alone fills, and samples of `traced` items carry the same value in both
-/// images.
-[[nodiscard]] ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced);
+/// Holes, samples that one keyframe alone fills, samples of `traced` items, and those that `disputed` (sample
+/// resolution) selects carry the same value in both images.
+[[nodiscard]] ComparedPair comparedPair(const WarpedPair& warped, const ItemSet& traced,
+                                        const Mask& disputed);
 
 /// The same with the view-dependent layer of one keyframe in both images for samples of `items` that both
 /// fill: what is left to differ there is the diffuse layer.

@@ -37,7 +37,8 @@ FramePair warpedPair(const Scene& scene, const paths::CameraPath& walk, int firs
   const auto target = [&] { return renderer->visibility(samples(middle)); };
   walkthrough::WarpedPair warped{target(), ibr::gatherWarp(firstFrame, target(), ibr::WarpSettings{}),
                                  ibr::gatherWarp(lastFrame, target(), ibr::WarpSettings{})};
-  const walkthrough::ComparedPair compared = walkthrough::comparedPair(warped, walkthrough::ItemSet());
+  const walkthrough::ComparedPair compared =
+      walkthrough::comparedPair(warped, walkthrough::ItemSet(), Mask(warped.target.item.size()));
 
   const ToneMapping mapping{.curve = ToneCurve::kNeutral, .exposureEv = exposureFor(firstFrame)};
   const FrameTone tone = mapping.at(middle, rendering.display);

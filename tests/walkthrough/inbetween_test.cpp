@@ -25,36 +25,48 @@ class SelectRetrace : public testing::Test {
   ItemBuffer item;
   Mask holes;
   SourceMap source;
+  Mask disputed{4, 1};
 };
 
 TEST_F(SelectRetrace, TracesHolesAndFailingItemsOnce) {
-  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet({kPanel}), ItemSet()}, renderer);
+  const Retrace retrace =
+      selectRetrace(item, holes, source, disputed, {ItemSet({kPanel}), ItemSet()}, renderer);
   EXPECT_THAT(retrace.holes.pixels(), ElementsAre(0, 0, 1, 1));
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), ElementsAre(kPanel));
 }
 
 TEST_F(SelectRetrace, TracesViewDependentItemsThatWereNeverCompared) {
-  const Retrace retrace = selectRetrace(item, holes, source, {}, renderer);
+  const Retrace retrace = selectRetrace(item, holes, source, disputed, {}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
 }
 
 TEST_F(SelectRetrace, WarpsItemsThatWereProven) {
-  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet(), ItemSet({kPanel})}, renderer);
+  const Retrace retrace =
+      selectRetrace(item, holes, source, disputed, {ItemSet(), ItemSet({kPanel})}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
 TEST_F(SelectRetrace, TracesWhatOfAProvenItemOneKeyframeAloneFills) {
   source(0, 0) = source(1, 0) = SampleSource::kWarpedFromNext;  // the wall and the panel
-  const Retrace retrace = selectRetrace(item, holes, source, {ItemSet(), ItemSet({kPanel})}, renderer);
+  const Retrace retrace =
+      selectRetrace(item, holes, source, disputed, {ItemSet(), ItemSet({kPanel})}, renderer);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(retrace.traced.items(), IsEmpty());
+}
+
+TEST_F(SelectRetrace, TracesWhatOfAProvenItemTheKeyframesContradictEachOtherIn) {
+  disputed(0, 0) = disputed(1, 0) = disputed(2, 0) = 1;  // the wall, the panel, and a hole in it
+  const Retrace retrace =
+      selectRetrace(item, holes, source, disputed, {ItemSet(), ItemSet({kPanel})}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
 TEST_F(SelectRetrace, NeverTracesItemsThatLookTheSameFromEverywhere) {
   const AnalyticRenderer matt{Panel::kMatt};
-  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, {}, matt);
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, Mask(4, 1, 1), {}, matt);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
 }
 

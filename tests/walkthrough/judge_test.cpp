@@ -36,7 +36,7 @@ WarpedPair pairOf(Size size) {
 }
 
 TEST(ComparedPair, KeepsBothValuesWhereBothKeyframesFill) {
-  const ComparedPair pair = comparedPair(pairOf({1, 1}), ItemSet());
+  const ComparedPair pair = comparedPair(pairOf({1, 1}), ItemSet(), Mask(1, 1));
   EXPECT_EQ(pair.fromFirst(0, 0), Rgb(0.25f));
   EXPECT_EQ(pair.fromLast(0, 0), Rgb(0.75f));
   EXPECT_EQ(pair.excluded(0, 0), 0);
@@ -47,7 +47,7 @@ TEST(ComparedPair, GivesBothImagesTheOnlyValueThereIs) {
   WarpedPair warped = pairOf({2, 1});
   warped.fromFirst.validity(0, 0) = ibr::Validity::kOccluded;
   warped.fromLast.validity(1, 0) = ibr::Validity::kOutside;
-  const ComparedPair pair = comparedPair(warped, ItemSet());
+  const ComparedPair pair = comparedPair(warped, ItemSet(), Mask(2, 1));
   EXPECT_EQ(pair.fromFirst(0, 0), Rgb(0.75f));
   EXPECT_EQ(pair.fromLast(0, 0), Rgb(0.75f));
   EXPECT_EQ(pair.fromFirst(1, 0), Rgb(0.25f));
@@ -61,7 +61,7 @@ TEST(ComparedPair, FillsHolesAlikeAndExcludesThem) {
   WarpedPair warped = pairOf({3, 1});
   warped.fromFirst.validity(1, 0) = ibr::Validity::kOccluded;
   warped.fromLast.validity(1, 0) = ibr::Validity::kUndersampled;
-  const ComparedPair pair = comparedPair(warped, ItemSet());
+  const ComparedPair pair = comparedPair(warped, ItemSet(), Mask(3, 1));
   // The mean of what is valid: two samples of 0.25 and two of 0.75.
   EXPECT_EQ(pair.fromFirst(1, 0), Rgb(0.5f));
   EXPECT_EQ(pair.fromLast(1, 0), Rgb(0.5f));
@@ -72,7 +72,16 @@ TEST(ComparedPair, FillsHolesAlikeAndExcludesThem) {
 TEST(ComparedPair, SilencesItemsThatAreTraced) {
   WarpedPair warped = pairOf({2, 1});
   warped.target.item(1, 0) = kPanel;
-  const ComparedPair pair = comparedPair(warped, ItemSet({kPanel}));
+  const ComparedPair pair = comparedPair(warped, ItemSet({kPanel}), Mask(2, 1));
+  EXPECT_EQ(pair.excluded(0, 0), 0);
+  EXPECT_EQ(pair.excluded(1, 0), 1);
+  EXPECT_EQ(pair.fromFirst(1, 0), pair.fromLast(1, 0));
+}
+
+TEST(ComparedPair, SilencesDisputedSamples) {
+  Mask disputed(2, 1);
+  disputed(1, 0) = 1;
+  const ComparedPair pair = comparedPair(pairOf({2, 1}), ItemSet(), disputed);
   EXPECT_EQ(pair.excluded(0, 0), 0);
   EXPECT_EQ(pair.excluded(1, 0), 1);
   EXPECT_EQ(pair.fromFirst(1, 0), pair.fromLast(1, 0));
@@ -227,7 +236,8 @@ TEST(DiffuseCompared, LeavesTheDiffuseLayerToDiffer) {
   warped.target.item(1, 0) = kPanel;
   warped.fromFirst.viewDependent = RadianceMap({2, 1}, Rgb(1.0f));
   warped.fromLast.viewDependent = RadianceMap({2, 1}, Rgb(2.0f));
-  const ComparedPair pair = diffuseCompared(comparedPair(warped, ItemSet()), warped, ItemSet({kPanel}));
+  const ComparedPair pair =
+      diffuseCompared(comparedPair(warped, ItemSet(), Mask(2, 1)), warped, ItemSet({kPanel}));
   EXPECT_EQ(pair.fromFirst(1, 0), Rgb(1.25f));
   EXPECT_EQ(pair.fromLast(1, 0), Rgb(1.75f));  // 0.75 diffuse, 1 as in the first
   EXPECT_EQ(pair.fromLast(0, 0), Rgb(2.75f));

@@ -81,6 +81,25 @@ TEST(RetraceItems, TracesEverySampleWhereTheDiffuseLayerFailedAsWell) {
   EXPECT_EQ(count(retraced.traced), wrong.samples);
 }
 
+TEST(RetraceItems, TracesWhatTheWarpedLayerShowsBetweenTheTracedSamples) {
+  const AnalyticRenderer renderer(Panel::kGlossy);
+  // Inside of the panel, which spans x = 76 to 92 and y = 27 to 45, and not one of those that are traced
+  // first.
+  const int x = 84;
+  const int y = 37;
+  const auto isTraced = [&](float warped) {
+    Wrong wrong = wrongPanel(renderer);
+    EXPECT_EQ(wrong.panel(x, y), 1);
+    wrong.frame.viewDependent(x, y) = Rgb(warped);
+    const RetracedItems retraced =
+        retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
+    return retraced.traced(x, y) != 0;
+  };
+  EXPECT_FALSE(isTraced(7.0f));  // as all around it: wrong, but smooth
+  EXPECT_FALSE(isTraced(7.3f));  // by 4 per cent
+  EXPECT_TRUE(isTraced(9.0f));   // a glint
+}
+
 TEST(RetraceItems, TracesEverySampleIfAPixelHasButOne) {
   const AnalyticRenderer renderer(Panel::kGlossy);
   Wrong wrong = wrongPanel(renderer);

@@ -1,0 +1,67 @@
+#include "src/walkthrough/disputed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+
+#include "src/core/display.h"
+
+namespace promenade::walkthrough {
+namespace {
+
+/// Of the larger luminance. Calibrated: docs/results.md.
+constexpr float kLargestDifference = 0.1f;
+/// Of an item's samples that both keyframes fill.
+constexpr double kLargestShare = 0.1;
+
+bool bothFill(const WarpedPair& warped, std::size_t i) {
+  return warped.fromFirst.validity.pixels()[i] == ibr::Validity::kValid &&
+         warped.fromLast.validity.pixels()[i] == ibr::Validity::kValid;
+}
+
+}  // namespace
+
+Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer) {
+  Mask disputed(warped.target.item.size());
+  std::unordered_map<ItemId, bool> viewDependent;
+  const auto luminanceOf = [](const ibr::Warped& source, std::size_t i) {
+    return luminance(source.diffuse.pixels()[i] + source.viewDependent.pixels()[i]);
+  };
+  for (std::size_t i = 0; i < disputed.pixels().size(); ++i) {
+    const ItemId item = warped.target.item.pixels()[i];
+    if (item == kNoItem || !bothFill(warped, i)) continue;
+    const auto [entry, isNew] = viewDependent.try_emplace(item);
+    if (isNew) entry->second = renderer.traits(item).viewDependent;
+    if (!entry->second) continue;
+    const float first = luminanceOf(warped.fromFirst, i);
+    const float last = luminanceOf(warped.fromLast, i);
+    if (std::abs(first - last) > kLargestDifference * std::max(first, last)) disputed.pixels()[i] = 1;
+  }
+  return disputed;
+}
+
+Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped) {
+  struct Count {
+    std::size_t filled = 0;
+    std::size_t disputed = 0;
+  };
+  const auto items = warped.target.item.pixels();
+  std::unordered_map<ItemId, Count> counts;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!bothFill(warped, i)) continue;
+    Count& count = counts[items[i]];
+    ++count.filled;
+    if (disputed.pixels()[i] != 0) ++count.disputed;
+  }
+  Mask few = disputed.clone();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (few.pixels()[i] == 0) continue;
+    const Count& count = counts[items[i]];
+    const double most = kLargestShare * static_cast<double>(count.filled);
+    if (static_cast<double>(count.disputed) > most) few.pixels()[i] = 0;
+  }
+  return few;
+}
+
+}  // namespace promenade::walkthrough

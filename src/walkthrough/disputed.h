@@ -1,0 +1,26 @@
+#pragma once
+// Where the two keyframes of a segment contradict each other: a reflection or a highlight that is in one of
+// them only.
+
+#include "ibr/warp.h"
+#include "src/core/renderer.h"
+
+namespace promenade::walkthrough {
+
+/// Both keyframes of a segment as seen from one of its inbetweens, at sample resolution.
+struct WarpedPair {
+  Visibility target;
+  ibr::Warped fromFirst;
+  ibr::Warped fromLast;
+};
+
+/// Samples of view-dependent items that both keyframes fill, with luminances that differ by more than a tenth
+/// of the larger: no blend of the two is right. An item may have few of them, too few to be seen in the
+/// middle of the segment, and elsewhere a glint on a door handle. At sample resolution.
+[[nodiscard]] Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer);
+
+/// Those of items of which at most a tenth of what both keyframes fill is disputed. Where more is, the rest
+/// may agree by chance, as the crests of two wave trains do: such items are to be judged whole.
+[[nodiscard]] Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped);
+
+}  // namespace promenade::walkthrough
