@@ -36,6 +36,18 @@ constexpr int kSmoothings = 2;
 /// many, and they are not believed at all.
 constexpr float kNoise = 2.5f;
 
+/// Among its neighbours, and for itself, a record counts half if its standard error is this share of its
+/// light.
+constexpr float kDoubtful = 0.1f;
+constexpr float kLeastConfidence = 1e-4f;
+
+/// By its variance: what one path in a million brings must not show as a spot.
+float confidenceIn(const SurfaceLight& gathered) {
+  if (!(gathered.error > 0.0f)) return 1.0f;
+  const float clean = kDoubtful * luminance(gathered.radiance);
+  return std::max(kLeastConfidence, clean * clean / (clean * clean + gathered.error * gathered.error));
+}
+
 /// 1 at the record, 0 where it ends.
 float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::vec3& normal) {
   const glm::vec3 offset = position - record.position;
@@ -264,7 +276,8 @@ IrradianceRecords::Fit IrradianceRecords::fitAround(std::uint32_t record) const 
   float w = 0.0f, wx = 0.0f, wy = 0.0f, xx = 0.0f, xy = 0.0f, yy = 0.0f;
   Rgb wv(0.0f), xv(0.0f), yv(0.0f);
   forEachLitNear(here.position, [&](const Entry& entry) {
-    const float weight = weightOf(entry.place, here.position, here.normal);
+    const float weight =
+        weightOf(entry.place, here.position, here.normal) * confidenceIn(gathered_[entry.record]);
     if (!(weight > 0.0f)) return true;
     const glm::vec3 offset = (entry.place.position - here.position) / here.reach;
     const Rgb value = radianceAround(lightOf(entry.record), entry.place.normal, here.normal);

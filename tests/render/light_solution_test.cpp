@@ -132,6 +132,25 @@ TEST(IrradianceRecords, KeepWhatStandsOutOfTheNoise) {
   EXPECT_NEAR(records.roughlyAt({0, 0, 0}, kUp)->radiance.r, 9.0f, 1e-4f);
 }
 
+TEST(IrradianceRecords, ShowNoSpotWhereOnePathBroughtTenTimesTheLight) {
+  IrradianceRecords records;
+  std::vector<SurfaceLight> light;
+  for (int z = -3; z <= 3; ++z) {
+    for (int x = -3; x <= 3; ++x) {
+      records.place({{0.7f * static_cast<float>(x), 0.0f, 0.7f * static_cast<float>(z)}, kUp, 1.0f});
+      const bool isSpot = x == 0 && z == 0;
+      light.push_back(lightOf(isSpot ? 50.0f : 5.0f));
+      light.back().error = isSpot ? 45.0f : 0.1f;
+    }
+  }
+  records.setLight(std::move(light));
+  // Error over light is 0.9, nine times what makes a record doubtful: it counts 1 / 82. Even at its own
+  // place, where it would count most, hardly 45 / 82 = 0.55 is left, and less the second time. (If it counted
+  // like the others, a fifth and more of the 45 would be left.)
+  EXPECT_NEAR(records.at({0, 0, 0}, kUp)->radiance.r, 5.0f, 0.25f);
+  EXPECT_NEAR(records.at({0.35f, 0, 0.35f}, kUp)->radiance.r, 5.0f, 0.25f);
+}
+
 TEST(IrradianceRecords, RoughlyAgreeWithTheirInterpolation) {
   const IrradianceRecords records =
       floorRecords([](int x, int z) { return 20.0f + static_cast<float>(x - z); }, 0.0f);
