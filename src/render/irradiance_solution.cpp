@@ -22,7 +22,10 @@ constexpr int kBounceLevels = 2;
 constexpr int kCoarsePasses = 2;
 /// How often the coarse records of a noisy scene are gathered again: the first time their paths still end at
 /// noisy ones.
-constexpr int kNoisyPasses = 2;
+/// What all of them have too much or too little of halves with each further pass.
+constexpr int kNoisyPasses = 4;
+/// The passes before which bright surfaces are looked for: they need only be roughly known.
+constexpr int kBrightPasses = 2;
 /// Of coarse records, on the sky and on lamps each.
 constexpr int kPointsPerPath = 4;
 
@@ -184,7 +187,7 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace
     // when the records that send it are clean.
     for (int pass = 0; pass < kNoisyPasses; ++pass) {
       use(tracer_, records);
-      tracer_.setBright(tracer_.findBright());
+      if (pass < kBrightPasses) tracer_.setBright(tracer_.findBright());
       gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse(), Gatherer::Directions::kForget);
     }
     isNoisy_ = false;
