@@ -10,7 +10,7 @@
 namespace promenade::walkthrough {
 namespace {
 
-/// Of the larger luminance. Calibrated: docs/results.md.
+/// Of the larger luminance. (Compared with a fifth only.)
 constexpr float kLargestDifference = 0.1f;
 /// Of an item's samples that both keyframes fill.
 constexpr double kLargestShare = 0.1;
