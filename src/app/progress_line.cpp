@@ -7,7 +7,6 @@
 #include "src/app/formatted.h"
 
 namespace promenade::app {
-namespace {}  // namespace
 
 std::string duration(double seconds) {
   const auto s = static_cast<long long>(std::llround(std::clamp(seconds, 0.0, 1e9)));

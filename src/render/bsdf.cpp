@@ -10,7 +10,6 @@
 #include "src/render/scattering_surface.h"
 
 namespace promenade::render {
-namespace {}  // namespace
 
 BsdfValue ScatteringSurface::evaluateReflection(const glm::vec3& wi) const {
   BsdfValue value;
