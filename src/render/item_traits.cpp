@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <map>
 
-#include "src/render/path_tracer_internal.h"
-
 namespace promenade::render {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr float kSmoothDielectric = 0.35f;
 constexpr float kLeastClearcoat = 0.05f;
 constexpr float kSmoothClearcoat = 0.5f;
 constexpr double kSomewhere = 0.02;
-/// Strong reflections are traced with up to twice that (kStrongNoise), but where a curved piece of metal
+/// Strong reflections are traced with up to twice that (path_solution.cpp), but where a curved piece of metal
 /// shows more structure than noise, allowing for all of it would smooth it away visibly.
 constexpr float kTakenForNoise = 0.05f;
 constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample

@@ -39,13 +39,6 @@ constexpr float kBroadToTheBlurred = 0.2f;
 /// the solution's directions are apart, and hundreds of paths would not be as clean.
 constexpr float kBroadToTheEye = 0.3f;
 
-/// A strong reflection is traced until the standard error of a sample is this share of all it shows.
-constexpr float kStrongNoise = 0.1f;
-/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same; such
-/// surfaces are often large and flat (polished floors), where noise is seen best.
-constexpr float kNarrow = 0.1f;
-constexpr float kNarrowNoise = 0.05f;
-
 /// Surfaces with less diffuse albedo than this have no records, unless their reflection is broad.
 constexpr float kLeastDiffuse = 0.01f;
 

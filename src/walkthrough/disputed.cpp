@@ -24,16 +24,13 @@ bool bothFill(const WarpedPair& warped, std::size_t i) {
 
 Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer) {
   Mask disputed(warped.target.item.size());
-  std::unordered_map<ItemId, bool> viewDependent;
   const auto luminanceOf = [](const ibr::Warped& source, std::size_t i) {
     return luminance(source.diffuse.pixels()[i] + source.viewDependent.pixels()[i]);
   };
   for (std::size_t i = 0; i < disputed.pixels().size(); ++i) {
     const ItemId item = warped.target.item.pixels()[i];
     if (item == kNoItem || !bothFill(warped, i)) continue;
-    const auto [entry, isNew] = viewDependent.try_emplace(item);
-    if (isNew) entry->second = renderer.traits(item).viewDependent;
-    if (!entry->second) continue;
+    if (!renderer.traits(item).viewDependent) continue;
     const float first = luminanceOf(warped.fromFirst, i);
     const float last = luminanceOf(warped.fromLast, i);
     if (std::abs(first - last) > kLargestDifference * std::max(first, last)) disputed.pixels()[i] = 1;
