@@ -129,7 +129,13 @@ class PathTracer::Gatherer {
  public:
   Gatherer(const PathTracer& tracer, const Vertex& vertex, const Sampler::Stream& numbers,
            const GatherEffort& effort, PathRays& rays)
-      : tracer_(tracer), vertex_(vertex), numbers_(numbers), effort_(effort), rays_(rays) {
+      : tracer_(tracer),
+        vertex_(vertex),
+        lights_(tracer.lights_.viewFrom(vertex.position, vertex.facing)),
+        numbers_(numbers),
+        effort_(effort),
+        rays_(rays) {
+    vertex_.lights = &lights_;
     const Shares asked = tracer.firstShares(vertex);
     shares_ = {asked.environment * kLightsPerPath, asked.local * kLightsPerPath, 0.0f};
     const bool isBright = tracer.bright_ && tracer.settings_.solution && tracer.settings_.maxBounces > 1;
@@ -254,7 +260,8 @@ class PathTracer::Gatherer {
   }
 
   const PathTracer& tracer_;
-  const Vertex& vertex_;
+  Vertex vertex_;
+  LightTree::View lights_;
   const Sampler::Stream numbers_;
   const GatherEffort effort_;
   PathRays& rays_;

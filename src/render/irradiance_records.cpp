@@ -48,6 +48,11 @@ float confidenceIn(const SurfaceLight& gathered) {
   return std::max(kLeastConfidence, clean * clean / (clean * clean + gathered.error * gathered.error));
 }
 
+/// As std::ldexp(1, exponent), without a call, for those that a float of full precision has.
+float powerOfTwo(int exponent) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(std::clamp(exponent, -126, 127) + 127) << 23);
+}
+
 /// 1 at the record, 0 where it ends.
 float weightOf(const RecordPlace& record, const glm::vec3& position, const glm::vec3& normal) {
   const glm::vec3 offset = position - record.position;
@@ -93,7 +98,7 @@ std::size_t IrradianceRecords::CellHash::operator()(const Cell& cell) const {
 }
 
 IrradianceRecords::Cell IrradianceRecords::cellOf(int level, const glm::vec3& position) {
-  const float scale = std::ldexp(1.0f, -level);
+  const float scale = powerOfTwo(-level);
   const auto index = [scale](float v) {
     return static_cast<std::int32_t>(std::floor(std::clamp(v * scale, -2e9f, 2e9f)));
   };

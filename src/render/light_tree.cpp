@@ -203,17 +203,20 @@ float LightTree::importance(const Node& node, const glm::vec3& position, const g
   return std::max(0.0f, node.intensity * cosP * cosAtSurface / bounded);
 }
 
-std::optional<LightTree::Choice> LightTree::choose(const glm::vec3& position, const glm::vec3& normal,
-                                                   float u) const {
+float LightTree::firstShare(std::uint32_t node, const glm::vec3& position, const glm::vec3& normal) const {
+  const float a = importance(nodes_[node + 1], position, normal);
+  const float b = importance(nodes_[nodes_[node].next], position, normal);
+  return a + b > 0.0f ? a / (a + b) : -1.0f;
+}
+
+template <class FirstShareOf>
+std::optional<LightTree::Choice> LightTree::descend(float u, const FirstShareOf& firstShareOf) const {
   if (nodes_.empty()) return std::nullopt;
   std::uint32_t index = 0;
   float probability = 1.0f;
   while (!nodes_[index].leaf) {
-    const std::uint32_t second = nodes_[index].next;
-    const float a = importance(nodes_[index + 1], position, normal);
-    const float b = importance(nodes_[second], position, normal);
-    if (!(a + b > 0.0f)) return std::nullopt;
-    const float share = a / (a + b);
+    const float share = firstShareOf(index);
+    if (share < 0.0f) return std::nullopt;
     if (u < share) {
       u = std::min(u / share, 0.99999994f);
       probability *= share;
@@ -221,11 +224,29 @@ std::optional<LightTree::Choice> LightTree::choose(const glm::vec3& position, co
     } else {
       u = std::min((u - share) / (1.0f - share), 0.99999994f);
       probability *= 1.0f - share;
-      index = second;
+      index = nodes_[index].next;
     }
   }
   // A tree of one light: nothing has asked yet whether it reaches the point at all.
   return Choice{nodes_[index].next, probability};
+}
+
+std::optional<LightTree::Choice> LightTree::choose(const glm::vec3& position, const glm::vec3& normal,
+                                                   float u) const {
+  return descend(u, [&](std::uint32_t node) { return firstShare(node, position, normal); });
+}
+
+LightTree::View::View(const LightTree& tree, const glm::vec3& position, const glm::vec3& normal)
+    : tree_(tree), position_(position), normal_(normal) {
+  remembered_.fill({kNone, 0.0f});
+}
+
+std::optional<LightTree::Choice> LightTree::View::choose(float u) {
+  return tree_.descend(u, [this](std::uint32_t node) {
+    Remembered& way = remembered_[node % kRemembered];
+    if (way.node != node) way = {node, tree_.firstShare(node, position_, normal_)};
+    return way.firstShare;
+  });
 }
 
 float LightTree::probability(std::uint32_t light, const glm::vec3& position, const glm::vec3& normal) const {
@@ -233,10 +254,8 @@ float LightTree::probability(std::uint32_t light, const glm::vec3& position, con
   float probability = 1.0f;
   while (index != 0) {
     const std::uint32_t parent = nodes_[index].parent;
-    const float a = importance(nodes_[parent + 1], position, normal);
-    const float b = importance(nodes_[nodes_[parent].next], position, normal);
-    if (!(a + b > 0.0f)) return 0.0f;
-    const float share = a / (a + b);
+    const float share = firstShare(parent, position, normal);
+    if (share < 0.0f) return 0.0f;
     probability *= index == parent + 1 ? share : 1.0f - share;
     index = parent;
   }

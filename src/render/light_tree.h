@@ -5,6 +5,8 @@
 // power), so that triangles and point lights are on one scale, and the distance is bounded below by the
 // radius of the node's sphere. Not part of the folder's public face.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -35,6 +37,8 @@ class LightTree {
   /// A light for the surface at `position` with unit `normal` (either side); nothing if none reaches it.
   [[nodiscard]] std::optional<Choice> choose(const glm::vec3& position, const glm::vec3& normal,
                                              float u) const;
+  /// The tree from one place: choose() for whoever chooses there often. Remembers the ways it went.
+  class View;
   /// The probability with which choose() gives `light`.
   [[nodiscard]] float probability(std::uint32_t light, const glm::vec3& position,
                                   const glm::vec3& normal) const;
@@ -56,9 +60,38 @@ class LightTree {
   static Node nodeOf(const LightBounds& bounds);
   static float importance(const Node& node, const glm::vec3& position, const glm::vec3& normal);
   LightBounds build(std::span<Item> items, std::uint32_t parent);
+  /// Probability of the first child of an inner node; negative if neither child reaches the place.
+  [[nodiscard]] float firstShare(std::uint32_t node, const glm::vec3& position,
+                                 const glm::vec3& normal) const;
+  /// firstShareOf(inner node) as above.
+  template <class FirstShareOf>
+  [[nodiscard]] std::optional<Choice> descend(float u, const FirstShareOf& firstShareOf) const;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> leafOfLight_;
+};
+
+class LightTree::View {
+ public:
+  /// `tree` must outlive this. `normal`: unit, either side.
+  View(const LightTree& tree, const glm::vec3& position, const glm::vec3& normal);
+
+  [[nodiscard]] const glm::vec3& position() const { return position_; }
+  /// What LightTree::choose() gives there.
+  [[nodiscard]] std::optional<Choice> choose(float u);
+
+ private:
+  /// Ways are remembered by node, modulo this: of large trees the part that lights most.
+  static constexpr std::size_t kRemembered = 256;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  struct Remembered {
+    std::uint32_t node;
+    float firstShare;
+  };
+
+  const LightTree& tree_;
+  const glm::vec3 position_, normal_;
+  std::array<Remembered, kRemembered> remembered_;
 };
 
 }  // namespace promenade::render

@@ -98,8 +98,9 @@ Lights::Lights(const Surfaces& surfaces) : surfaces_(surfaces), tree_({}) {
   if (!directional_.empty()) directionalShare_ = lights_.empty() ? 1.0f : 0.5f;
 }
 
-std::optional<LightSample> Lights::sample(const glm::vec3& position, const glm::vec3& normal, float choose,
-                                          glm::vec2 u) const {
+template <class ChooseFrom>
+std::optional<LightSample> Lights::sampleAt(const glm::vec3& position, float choose, glm::vec2 u,
+                                            const ChooseFrom& chooseFrom) const {
   if (choose < directionalShare_) {
     const auto count = static_cast<float>(directional_.size());
     const auto index =
@@ -108,7 +109,7 @@ std::optional<LightSample> Lights::sample(const glm::vec3& position, const glm::
   }
   const float rest = 1.0f - directionalShare_;
   const std::optional<LightTree::Choice> choice =
-      tree_.choose(position, normal, std::min((choose - directionalShare_) / rest, 0.99999994f));
+      chooseFrom(std::min((choose - directionalShare_) / rest, 0.99999994f));
   if (!choice) return std::nullopt;
   const Light& light = lights_[choice->light];
   const float probability = choice->probability * rest;
@@ -116,6 +117,15 @@ std::optional<LightSample> Lights::sample(const glm::vec3& position, const glm::
     return samplePunctual(surfaces_.scene().lights[light.index], probability, position);
   }
   return sampleTriangle(light, probability, position, u);
+}
+
+std::optional<LightSample> Lights::sample(const glm::vec3& position, const glm::vec3& normal, float choose,
+                                          glm::vec2 u) const {
+  return sampleAt(position, choose, u, [&](float v) { return tree_.choose(position, normal, v); });
+}
+
+std::optional<LightSample> Lights::sample(LightTree::View& view, float choose, glm::vec2 u) const {
+  return sampleAt(view.position(), choose, u, [&view](float v) { return view.choose(v); });
 }
 
 std::optional<LightSample> Lights::sampleTriangle(const Light& light, float probability,

@@ -33,6 +33,11 @@ class Lights {
   /// shine there.
   [[nodiscard]] std::optional<LightSample> sample(const glm::vec3& position, const glm::vec3& normal,
                                                   float choose, glm::vec2 u) const;
+  /// The same for whoever asks often at one place.
+  [[nodiscard]] LightTree::View viewFrom(const glm::vec3& position, const glm::vec3& normal) const {
+    return {tree_, position, normal};
+  }
+  [[nodiscard]] std::optional<LightSample> sample(LightTree::View& view, float choose, glm::vec2 u) const;
 
   /// Every point, spot and directional light that shines at `position`, each with density 1.
   template <class Visit>
@@ -59,6 +64,10 @@ class Lights {
   };
   static constexpr std::uint32_t kPunctual = 0xffffffffu;
 
+  /// chooseFrom(u) as LightTree::choose().
+  template <class ChooseFrom>
+  [[nodiscard]] std::optional<LightSample> sampleAt(const glm::vec3& position, float choose, glm::vec2 u,
+                                                    const ChooseFrom& chooseFrom) const;
   [[nodiscard]] std::optional<LightSample> sampleTriangle(const Light& light, float probability,
                                                           const glm::vec3& position, glm::vec2 u) const;
   [[nodiscard]] std::optional<LightSample> samplePunctual(const PunctualLight& light, float probability,

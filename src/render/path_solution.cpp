@@ -158,6 +158,8 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   const Shares shares{asked.environment * times, asked.local * times};
   Sampler::Stream lightNumbers = numbers;
   lightNumbers.seed ^= kLightSeed;
+  LightTree::View lights = lights_.viewFrom(vertex.position, vertex.facing);
+  vertex.lights = &lights;
   SampleRadiance sum;
   StratifiedMean found(most);
   const auto add = [&](int path, const SampleRadiance& part) {
@@ -179,8 +181,8 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
       const float choose = sampler.next1D();
       const BsdfSample s = scattering.sample(choose, sampler.next2D());
       if (count % pathsPerLight == 0) {
-        Sampler lights(lightNumbers, static_cast<std::uint32_t>(count / pathsPerLight));
-        sampleLights(vertex, scattering, asked, times, lights, DeltaLights::kExcluded,
+        Sampler lightSampler(lightNumbers, static_cast<std::uint32_t>(count / pathsPerLight));
+        sampleLights(vertex, scattering, asked, times, lightSampler, DeltaLights::kExcluded,
                      [&](const Ray& shadow, const Rgb& diffuse, const Rgb& viewDependent) {
                        ++rays.shadow;
                        shadows.add(shadow, {count, {diffuse, viewDependent}});

@@ -254,7 +254,7 @@ std::optional<PathTracer::Carried> PathTracer::leave(const Sight& sight, const V
   return path;
 }
 
-SampleRadiance PathTracer::shadeByPaths(const Sight& sight, const Vertex& vertex,
+SampleRadiance PathTracer::shadeByPaths(const Sight& sight, Vertex vertex,
                                         const ScatteringSurface& scattering, const Sampler::Stream& stream,
                                         PathRays& rays) const {
   const int count =
@@ -263,6 +263,8 @@ SampleRadiance PathTracer::shadeByPaths(const Sight& sight, const Vertex& vertex
   ++rays.noisyLines;
   const Sampler::Stream numbers = sight.numbersOf(stream);
   const Shares shares = firstShares(vertex);
+  LightTree::View lights = lights_.viewFrom(vertex.position, vertex.facing);
+  vertex.lights = &lights;
   SampleRadiance sum;
   auto shadows =
       shadowBatch<SampleRadiance>(embree_, [&sum](const SampleRadiance& light, const Rgb& transmittance) {

@@ -138,7 +138,7 @@ class PathTracer {
   [[nodiscard]] std::optional<Sight> turned(Sight sight, const Vertex& vertex,
                                             const glm::vec3& localDirection) const;
   // What `scattering` at the end of a line of sight sends along it.
-  [[nodiscard]] SampleRadiance shadeByPaths(const Sight& sight, const Vertex& vertex,
+  [[nodiscard]] SampleRadiance shadeByPaths(const Sight& sight, Vertex vertex,
                                             const ScatteringSurface& scattering,
                                             const Sampler::Stream& stream, PathRays& rays) const;
   [[nodiscard]] SampleRadiance shadeFromSolution(const Sight& sight, Vertex vertex,

@@ -85,7 +85,8 @@ struct PathTracer::Vertex {
   SurfaceLook look;
   std::uint32_t instance;
   int material;
-  const SkyGuide::View* sky;  ///< null without environment, and until it is looked at
+  const SkyGuide::View* sky;          ///< null without environment, and until it is looked at
+  LightTree::View* lights = nullptr;  ///< of whoever samples them from here often; else null
 
   [[nodiscard]] glm::vec3 originToward(const glm::vec3& worldDirection) const {
     return offsetRayOrigin(position, glm::dot(worldDirection, facing) > 0.0f ? facing : -facing);
@@ -240,7 +241,8 @@ void PathTracer::sampleLights(const Vertex& vertex, const Scattering& scattering
   if (askLocal) {
     const float choose = sampler.next1D();
     const std::optional<LightSample> light =
-        lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
+        vertex.lights != nullptr ? lights_.sample(*vertex.lights, choose, sampler.next2D())
+                                 : lights_.sample(vertex.position, vertex.facing, choose, sampler.next2D());
     if (light && light->pdf > 0.0f) weigh(*light, shares.local);
   }
 }

@@ -124,8 +124,8 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
 
   const float side = point.frontFace ? 1.0f : -1.0f;
   const auto facing = [&](const std::optional<Texture>& map, float scale) {
-    const glm::vec3 normal =
-        map && point.tangent.w != 0.0f ? mappedNormal(point, look(map), scale) : point.normal;
+    const bool isMapped = map && point.tangent.w != 0.0f && footprint.detail == Detail::kFull;
+    const glm::vec3 normal = isMapped ? mappedNormal(point, look(map), scale) : point.normal;
     return reflectingAbove(side * normal, side * point.geometricNormal, -direction);
   };
   result.normal = facing(material.normalTexture, material.normalScale);

@@ -62,6 +62,27 @@ TEST(LightTree, ProbabilityIsThatOfChoosing) {
   }
 }
 
+// More inner nodes than a view remembers, so that some are forgotten and worked out again.
+TEST(LightTree, SeenFromAPlaceChoosesTheSame) {
+  for (const int count : {0, 1, 2, 1000}) {
+    const std::vector<LightBounds> lights = count > 0 ? randomLights(count) : std::vector<LightBounds>();
+    const LightTree tree(lights);
+    const glm::vec3 position(1.0f, -2.0f, 3.0f), normal(0.0f, 1.0f, 0.0f);
+    LightTree::View view(tree, position, normal);
+    constexpr int kDraws = 5000;
+    for (int i = 0; i < kDraws; ++i) {
+      // Far apart from one to the next.
+      const float u = static_cast<float>(i * 2003 % kDraws) / kDraws;
+      const auto expected = tree.choose(position, normal, u);
+      const auto choice = view.choose(u);
+      ASSERT_EQ(choice.has_value(), expected.has_value());
+      if (!expected) continue;
+      ASSERT_EQ(choice->light, expected->light);
+      ASSERT_EQ(choice->probability, expected->probability);
+    }
+  }
+}
+
 TEST(LightTree, PrefersTheNearerOfTwoEqualLights) {
   std::vector<LightBounds> lights(2);
   lights[0].lower = lights[0].upper = {0.0f, 1.0f, 0.0f};
