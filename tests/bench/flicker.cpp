@@ -3,23 +3,30 @@
 // light that changes with the view.
 //
 //     promenade render SCENE --method full --supersample 1 --size 1280x720 --frames 40-44 --out walk
-//     flicker walk/frames 2 [EXPOSURE [all]]
+//     flicker walk/frames 2 [EXPOSURE [all] [without ITEM...]]
 //
 // Without `all` only ray-traced samples are compared. With it warped ones are, too: do frames made of
 // keyframes and warps jump where a segment ends? Pairs with a keyframe are marked and stand against the
-// others.
+// others. Items that are left out count as not compared, and their differences do not spread to others when
+// the metric pools: what a mirror shows moves otherwise than the mirror, and is no flicker.
 //
 // With --supersample 1 the file's pixels are samples, none of which mixes two surfaces; 2x2 of them make a
 // display pixel here. Left out are samples that the later frame does not see, or not closely enough. Asked:
 // pooled difference below 1 JND on 99.5% of the rest. Beside FRAMES/000040.exr the picture
-// FRAMES/000040-flicker.png is written: bright where it is not.
+// FRAMES/000040-flicker.png is written, bright where it is not, and FRAMES/000040-difference.png: what became
+// brighter or darker, 10 per cent being white or black. After each pair, the items that have most of the
+// squared differences.
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "aqm/metric.h"
@@ -50,11 +57,21 @@ struct Viewing {
   ToneMapping tone;
   DisplayModel display = {};
   Samples samples = Samples::kTraced;
+  std::set<ItemId> without = {};
+};
+
+/// Of one item in one frame.
+struct OfItem {
+  ItemId item = kNoItem;
+  int pixels = 0;
+  double squares = 0.0;  ///< sum of the squared relative differences
 };
 
 struct Flicker {
   aqm::Result seen;
   Mask excluded;
+  Image<float> difference;    ///< later - earlier over their mean, on the display
+  std::vector<OfItem> items;  ///< those with the largest differences first
 };
 
 bool isKeyframe(const SourceMap& source) {
@@ -71,11 +88,12 @@ Frame samplesOf(io::FrameFile&& file, Samples compared) {
           std::move(file.source)};
 }
 
-Pair aligned(const Frame& earlier, const Frame& later) {
+Pair aligned(const Frame& earlier, const Frame& later, const std::set<ItemId>& without) {
   const ibr::Warped warped = ibr::gatherWarp(later, earlier.visibility, {});
   Pair pair{earlier.diffuse.clone(), earlier.diffuse.clone(), Mask(earlier.diffuse.size(), 1)};
   for (std::size_t i = 0; i < pair.excluded.pixels().size(); ++i) {
     if (warped.validity.pixels()[i] != ibr::Validity::kValid) continue;
+    if (without.contains(earlier.visibility.item.pixels()[i])) continue;
     pair.later.pixels()[i] = warped.diffuse.pixels()[i];
     pair.excluded.pixels()[i] = 0;
   }
@@ -93,9 +111,35 @@ Mask resolved(const Mask& samples, int factor) {
   return pixels;
 }
 
+Image<float> relativeDifference(const LuminanceMap& earlier, const LuminanceMap& later) {
+  Image<float> difference(earlier.size());
+  for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
+    const float a = earlier.pixels()[i], b = later.pixels()[i];
+    if (a + b > 0.0f) difference.pixels()[i] = 2.0f * (b - a) / (a + b);
+  }
+  return difference;
+}
+
+std::vector<OfItem> byItem(const Image<float>& difference, const Mask& excluded, const ItemBuffer& items) {
+  std::map<ItemId, OfItem> sums;
+  for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
+    if (excluded.pixels()[i] != 0) continue;
+    const ItemId item = items.pixels()[i];
+    OfItem& sum = sums[item];
+    sum.item = item;
+    ++sum.pixels;
+    sum.squares += std::pow(static_cast<double>(difference.pixels()[i]), 2.0);
+  }
+  std::vector<OfItem> sorted;
+  for (const auto& [item, sum] : sums) sorted.push_back(sum);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const OfItem& a, const OfItem& b) { return a.squares > b.squares; });
+  return sorted;
+}
+
 Flicker flickerBetween(const Frame& earlier, const Frame& later, double framesPerSecond,
                        const Viewing& viewing) {
-  const Pair pair = aligned(earlier, later);
+  const Pair pair = aligned(earlier, later, viewing.without);
   const auto onDisplay = [&](const RadianceMap& samples) {
     return displayLuminance(
         encodeForDisplay(resolveRadiance(samples, viewing.supersample), viewing.tone.at(0, viewing.display)),
@@ -108,9 +152,12 @@ Flicker flickerBetween(const Frame& earlier, const Frame& later, double framesPe
       PixelFlow(),
       ibr::pixelFlow(seen, Camera(after.pose(), after.verticalFieldOfView(), seen.camera.size())),
       framesPerSecond, pixelsPerDegree);
-  return {
-      aqm::compare(onDisplay(pair.earlier), onDisplay(pair.later), velocity, aqm::Settings{pixelsPerDegree}),
-      resolved(pair.excluded, viewing.supersample)};
+  const LuminanceMap before = onDisplay(pair.earlier), now = onDisplay(pair.later);
+  Mask excluded = resolved(pair.excluded, viewing.supersample);
+  Image<float> difference = relativeDifference(before, now);
+  std::vector<OfItem> items = byItem(difference, excluded, seen.item);
+  return {aqm::compare(before, now, velocity, aqm::Settings{pixelsPerDegree}), std::move(excluded),
+          std::move(difference), std::move(items)};
 }
 
 struct Shares {
@@ -158,6 +205,30 @@ EncodedMap pictureOf(const Flicker& flicker) {
   return picture;
 }
 
+/// Grey where nothing changed, white and black at 10 per cent; excluded pixels blue.
+EncodedMap pictureOfDifference(const Flicker& flicker) {
+  EncodedMap picture(flicker.excluded.size());
+  for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+    const float grey = std::clamp(0.5f + 5.0f * flicker.difference.pixels()[i], 0.0f, 1.0f);
+    picture.pixels()[i] = flicker.excluded.pixels()[i] != 0 ? Rgb(0.0f, 0.0f, 0.4f) : Rgb(grey);
+  }
+  return picture;
+}
+
+void printItems(const std::vector<OfItem>& items) {
+  constexpr std::size_t kMost = 8;
+  double all = 0.0;
+  for (const OfItem& of : items) all += of.squares;
+  if (!(all > 0.0)) return;
+  std::printf("  ");
+  for (std::size_t i = 0; i < std::min(kMost, items.size()); ++i) {
+    const OfItem& of = items[i];
+    std::printf(" item %u: %.0f%% on %d pixels, rms %.1f%%;", static_cast<unsigned>(of.item),
+                100.0 * of.squares / all, of.pixels, 100.0 * std::sqrt(of.squares / of.pixels));
+  }
+  std::printf("\n");
+}
+
 void measure(const std::filesystem::path& folder, const Viewing& viewing) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -168,7 +239,7 @@ void measure(const std::filesystem::path& folder, const Viewing& viewing) {
   std::printf(
       "| frames | %% compared | %% of them below 1 JND | mean, JND | largest, JND "
       "|\n|---|---|---|---|---|\n");
-  Mean beside, between;
+  Mean besideKeyframes, between;
   for (std::size_t i = 0; i + 1 < files.size(); ++i) {
     io::FrameFile first = io::readFrame(files[i]), second = io::readFrame(files[i + 1]);
     const Size size = first.radiance.size();
@@ -181,15 +252,19 @@ void measure(const std::filesystem::path& folder, const Viewing& viewing) {
     const Flicker flicker = flickerBetween(samplesOf(std::move(first), viewing.samples),
                                            samplesOf(std::move(second), viewing.samples), rate, viewing);
     const Shares shares = sharesOf(flicker);
-    (hasKeyframe ? beside : between).add(shares.mean);
+    (hasKeyframe ? besideKeyframes : between).add(shares.mean);
     std::printf("| %d, %d%s | %.2f | %.3f | %.3f | %.2f |\n", number, number + 1,
                 hasKeyframe ? " (keyframe)" : "", shares.compared, shares.steady, shares.mean,
                 static_cast<double>(shares.largest));
-    io::write8bit(std::filesystem::path(files[i]).replace_filename(files[i].stem().string() + "-flicker.png"),
-                  pictureOf(flicker));
+    printItems(flicker.items);
+    const auto beside = [&](const char* what) {
+      return std::filesystem::path(files[i]).replace_filename(files[i].stem().string() + what);
+    };
+    io::write8bit(beside("-flicker.png"), pictureOf(flicker));
+    io::write8bit(beside("-difference.png"), pictureOfDifference(flicker));
   }
-  std::printf("mean, JND: %.3f in %d pairs with a keyframe, %.3f in the %d others\n", beside.value(),
-              beside.count, between.value(), between.count);
+  std::printf("mean, JND: %.3f in %d pairs with a keyframe, %.3f in the %d others\n", besideKeyframes.value(),
+              besideKeyframes.count, between.value(), between.count);
 }
 
 }  // namespace
@@ -211,16 +286,30 @@ Number numberFrom(std::string_view text) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 3 || count > 5 || (count == 5 && std::string_view(arguments[4]) != "all")) {
-    std::fputs("flicker FRAMES SUPERSAMPLE [EXPOSURE [all]]\n", stderr);
+  const std::vector<std::string_view> words(arguments + 1, arguments + count);
+  if (words.size() < 2) {
+    std::fputs("flicker FRAMES SUPERSAMPLE [EXPOSURE [all] [without ITEM...]]\n", stderr);
     return 2;
   }
   try {
-    promenade::Viewing viewing{.supersample = numberFrom<int>(arguments[2]), .tone = {}};
+    promenade::Viewing viewing{.supersample = numberFrom<int>(words[1]), .tone = {}};
     if (viewing.supersample < 1) throw promenade::InputError("flicker", "expected at least one sample");
-    if (count == 5) viewing.samples = promenade::Samples::kAll;
-    if (count >= 4) viewing.tone.exposureEv = numberFrom<double>(arguments[3]);
-    promenade::measure(arguments[1], viewing);
+    if (words.size() > 2) viewing.tone.exposureEv = numberFrom<double>(words[2]);
+    std::size_t next = 3;
+    if (next < words.size() && words[next] == "all") {
+      viewing.samples = promenade::Samples::kAll;
+      ++next;
+    }
+    if (next < words.size()) {
+      if (words[next] != "without") {
+        throw promenade::InputError("flicker",
+                                    "expected 'all' or 'without', found '" + std::string(words[next]) + "'");
+      }
+      for (++next; next < words.size(); ++next) {
+        viewing.without.insert(numberFrom<promenade::ItemId>(words[next]));
+      }
+    }
+    promenade::measure(std::string(words[0]), viewing);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "flicker: %s\n", error.what());
     return 2;
