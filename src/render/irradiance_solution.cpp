@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <mutex>
@@ -20,12 +21,12 @@ constexpr int kCoarsestStride = 32, kFinestStride = 2;  ///< display pixels
 constexpr int kBounceLevels = 2;
 /// How often coarse records are gathered: the first result ends the paths of the second.
 constexpr int kCoarsePasses = 2;
-/// How often the coarse records of a noisy scene are gathered again: the first time their paths still end at
-/// noisy ones.
-/// What all of them have too much or too little of halves with each further pass.
-constexpr int kNoisyPasses = 4;
+/// The passes in which the coarse records of a noisy scene are gathered again, by the share of their paths:
+/// of what all records have too much or too little of, two thirds stay after a further pass, so early ones
+/// need not be as clean as the last.
+constexpr std::array kNoisyPasses = {0.25, 0.25, 0.5, 1.0};
 /// The passes before which bright surfaces are looked for: they need only be roughly known.
-constexpr int kBrightPasses = 2;
+constexpr std::size_t kBrightPasses = 2;
 /// Of coarse records, on the sky and on lamps each.
 constexpr int kPointsPerPath = 4;
 
@@ -51,6 +52,10 @@ std::uint64_t pathsOf(std::size_t records, int each) {
   return static_cast<std::uint64_t>(records) * static_cast<std::uint64_t>(each);
 }
 
+int noisyPaths(const SolutionSettings& settings, std::size_t pass) {
+  return static_cast<int>(kNoisyPasses[pass] * settings.noisyCoarsePaths);
+}
+
 std::uint64_t fingerprint(const Camera& camera) {
   const Pose& pose = camera.pose();
   std::vector<double> values = {camera.verticalFieldOfView(), static_cast<double>(camera.size().width),
@@ -71,13 +76,14 @@ class IrradianceSolver::Gatherer {
       : tracer_(tracer), settings_(settings), progress_(progress) {}
 
   [[nodiscard]] GatherEffort coarse() const { return all(settings_.coarsePaths); }
-  [[nodiscard]] GatherEffort noisyCoarse() const { return all(settings_.noisyCoarsePaths); }
+  [[nodiscard]] GatherEffort noisyCoarse(std::size_t pass) const { return all(noisyPaths(settings_, pass)); }
   [[nodiscard]] GatherEffort fine() const { return settings_.fineEffort; }
 
   enum class Directions { kForget, kKeep };
-  /// Light of the records from `first` on.
+  /// Light of the records from `first` on. Where they are gathered once more, `numbers` gives the paths other
+  /// random ones, so that their errors do not add up from pass to pass.
   void gather(IrradianceRecords& records, std::size_t first, const GatherEffort& effort,
-              Directions directions) {
+              Directions directions, std::uint32_t numbers = 0) {
     const auto& places = records.places();
     std::vector<SurfaceLight> light = records.light();
     light.resize(places.size());
@@ -89,7 +95,7 @@ class IrradianceSolver::Gatherer {
       if (settings_.checkpoint) settings_.checkpoint();
       PathRays rays;
       const Gathered gathered =
-          tracer_.gather(places[i].position, places[i].normal, numbersOf(i), effort, rays);
+          tracer_.gather(places[i].position, places[i].normal, numbersOf(i, numbers), effort, rays);
       light[i] = gathered.light;
       if (directions == Directions::kKeep) fields[i] = gathered.field;
       const std::scoped_lock lock(reporting);
@@ -109,9 +115,10 @@ class IrradianceSolver::Gatherer {
   /// No more than that: the errors of coarse records average out, if they have no share in which samples they
   /// get.
   [[nodiscard]] static GatherEffort all(int paths) { return {paths, kPointsPerPath * paths, 0, 0.0f}; }
-  [[nodiscard]] Sampler::Stream numbersOf(std::size_t record) const {
+  [[nodiscard]] Sampler::Stream numbersOf(std::size_t record, std::uint32_t numbers) const {
+    constexpr std::uint32_t kEach = 0x632be5abu;  // odd, so that no two are equal
     Sampler::Stream stream;
-    stream.seed = settings_.seed;
+    stream.seed = settings_.seed ^ numbers * kEach;
     stream.pixel = {static_cast<std::uint32_t>(record & 0xffffu), static_cast<std::uint32_t>(record >> 16)};
     return stream;
   }
@@ -180,15 +187,18 @@ void IrradianceSolver::gatherCoarse(Gatherer& gatherer, const MayTrace& mayTrace
     gatherer.gather(records, coarseBefore_, gatherer.coarse(), Gatherer::Directions::kForget);
   }
   isNoisy_ = meanRelativeError(records.light(), coarseBefore_) > settings_.noisy;
-  const std::uint64_t more =
-      kNoisyPasses * pathsOf(records.places().size() - coarseBefore_, settings_.noisyCoarsePaths);
+  std::uint64_t more = 0;
+  for (std::size_t pass = 0; pass < kNoisyPasses.size(); ++pass) {
+    more += pathsOf(records.places().size() - coarseBefore_, noisyPaths(settings_, pass));
+  }
   if (isNoisy_ && (!mayTrace || mayTrace(more))) {
     // Few paths bring most of the light. Where it comes from is known well enough now; how much it is, only
     // when the records that send it are clean.
-    for (int pass = 0; pass < kNoisyPasses; ++pass) {
+    for (std::size_t pass = 0; pass < kNoisyPasses.size(); ++pass) {
       use(tracer_, records);
       if (pass < kBrightPasses) tracer_.setBright(tracer_.findBright());
-      gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse(), Gatherer::Directions::kForget);
+      gatherer.gather(records, coarseBefore_, gatherer.noisyCoarse(pass), Gatherer::Directions::kForget,
+                      static_cast<std::uint32_t>(pass) + 1);
     }
     isNoisy_ = false;
   }
