@@ -1,5 +1,7 @@
 #include <bit>
 #include <cstdio>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,18 +37,21 @@ int powerOfTwoFrom(const std::string& text, const std::string& option) {
   return value;
 }
 
+std::string cell(const std::optional<double>& value) {
+  if (!value) return "";
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.4f", *value);
+  return text;
+}
+
 std::string csv(const std::vector<Curve>& curves) {
-  std::string text = "solution,seconds,paths,percent_visible,predicted_percent\n";
+  std::string text = "solution,seconds,paths,percent_visible,predicted_percent,jnd,predicted_jnd\n";
   for (const Curve& curve : curves) {
     for (const ConvergencePoint& p : curve.points) {
       char line[160];
       std::snprintf(line, sizeof(line), "%s,%.3f,%d,%.4f,", curve.solution.c_str(), p.seconds, p.paths,
                     p.percentVisible);
-      text += line;
-      if (p.predictedPercent) {
-        std::snprintf(line, sizeof(line), "%.4f", *p.predictedPercent);
-        text += line;
-      }
+      text += line + cell(p.predictedPercent) + "," + cell(p.jnd) + "," + cell(p.predictedJnd);
       text += "\n";
     }
   }

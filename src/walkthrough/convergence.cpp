@@ -1,11 +1,22 @@
 #include "src/walkthrough/convergence.h"
 
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "src/walkthrough/seen.h"
 #include "src/walkthrough/stopping.h"
 
 namespace promenade::walkthrough {
+namespace {
+
+double mean(const JndMap& map) {
+  const auto pixels = map.pixels();
+  if (pixels.empty()) return 0.0;
+  return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
+}
+
+}  // namespace
 
 void renderProgressively(const Renderer& renderer, const Camera& camera, const Settings& settings,
                          int mostPaths, const AfterPaths& after) {
@@ -43,12 +54,17 @@ std::vector<ConvergencePoint> convergenceOf(const Renderer& renderer, const Came
   renderProgressively(
       renderer, camera, settings, mostPaths, [&](const Frame& frame, int paths, double seconds) {
         LuminanceMap now = seenOnDisplay(frame, settings.frames.first, settings, converged.surroundings);
-        ConvergencePoint point{secondsBefore + seconds,
-                               paths,
-                               aqm::percentVisible(difference(now, converged.seen).probability, Mask()),
-                               {}};
-        if (!afterHalf.empty())
-          point.predictedPercent = predictedPercent(difference(now, afterHalf).pooledJnd);
+        const aqm::Result truth = difference(now, converged.seen);
+        ConvergencePoint point;
+        point.seconds = secondsBefore + seconds;
+        point.paths = paths;
+        point.percentVisible = aqm::percentVisible(truth.probability, Mask());
+        point.jnd = mean(truth.pooledJnd);
+        if (!afterHalf.empty()) {
+          const JndMap predicted = difference(now, afterHalf).pooledJnd;
+          point.predictedPercent = predictedPercent(predicted);
+          point.predictedJnd = std::numbers::sqrt2 * mean(predicted);
+        }
         points.push_back(point);
         afterHalf = std::move(now);
       });

@@ -17,6 +17,9 @@ struct ConvergencePoint {
   int paths = 0;                           ///< of every sample that needs any
   double percentVisible = 0.0;             ///< of the pixels: P > 0.75 against the converged image
   std::optional<double> predictedPercent;  ///< stopping.h; nothing for the first image
+  /// Mean pooled JND, and what is predicted of it: they tell images apart that differ visibly everywhere.
+  double jnd = 0.0;
+  std::optional<double> predictedJnd;
 };
 
 /// Called with the frame after 1, 2, 4, ... paths and the seconds that tracing took so far.

@@ -48,9 +48,9 @@ TEST_F(Verbs, ConvergeWritesACurveForEachSolution) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(csv, line);) lines.push_back(line);
   ASSERT_EQ(lines.size(), 1u + 4u + 4u);  // 1, 2, 4, 8 paths
-  EXPECT_EQ(lines[0], "solution,seconds,paths,percent_visible,predicted_percent");
-  EXPECT_THAT(lines[1], testing::MatchesRegex("path,[0-9.]+,1,[0-9.]+,"));
-  EXPECT_THAT(lines[8], testing::MatchesRegex("walkthrough,[0-9.]+,8,[0-9.]+,[0-9.]+"));
+  EXPECT_EQ(lines[0], "solution,seconds,paths,percent_visible,predicted_percent,jnd,predicted_jnd");
+  EXPECT_THAT(lines[1], testing::MatchesRegex("path,[0-9.]+,1,[0-9.]+,,[0-9.]+,"));
+  EXPECT_THAT(lines[8], testing::MatchesRegex("walkthrough,[0-9.]+,8,[0-9.]+,[0-9.]+,[0-9.]+,[0-9.]+"));
   EXPECT_THAT(contents(at("curves/convergence.svg")), testing::HasSubstr("Perceptual convergence"));
   expectRefused(converge("25", "8"), "--frame");
   expectRefused(converge("0", "6"), "--most-spp: expected a power of two, found 6");

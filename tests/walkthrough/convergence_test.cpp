@@ -44,6 +44,8 @@ TEST(Convergence, OfAQuietWallIsThereAtOnce) {
     EXPECT_EQ(point.percentVisible, 0.0);
     EXPECT_GE(point.seconds, 2.5);
     EXPECT_EQ(point.predictedPercent.has_value(), point.paths > 1);
+    EXPECT_LT(point.jnd, 0.01);
+    EXPECT_EQ(point.predictedJnd.has_value(), point.paths > 1);
   }
 }
 
@@ -57,6 +59,12 @@ TEST(Convergence, OfANoisyWallFallsAndThePredictionBoundsIt) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     EXPECT_LE(points[i].percentVisible, points[i - 1].percentVisible + 1.0);
     EXPECT_GE(*points[i].predictedPercent, points[i].percentVisible - 1.0) << points[i].paths;
+    EXPECT_LT(points[i].jnd, points[i - 1].jnd) << points[i].paths;
+    // The prediction is of two such images: the root of 2 times as much where the difference is small. Where
+    // noise is so strong that the display clips it, all such images are too dark alike.
+    if (points[i].jnd < 2.0) {
+      EXPECT_GT(*points[i].predictedJnd, points[i].jnd) << points[i].paths;
+    }
   }
 }
 
