@@ -58,23 +58,31 @@ std::string csv(const std::vector<Curve>& curves) {
   return text;
 }
 
-std::string svg(const std::vector<Curve>& curves) {
+/// What is drawn of a point, and what is predicted of it.
+struct Drawn {
+  std::string unit;
+  double ConvergencePoint::*truth;
+  std::optional<double> ConvergencePoint::*predicted;
+};
+
+std::string svg(const std::vector<Curve>& curves, const Drawn& drawn) {
   std::vector<io::Series> series;
   for (const Curve& curve : curves) {
     io::Series truth{curve.solution, {}, {}, io::Mark::kLine};
     io::Series prediction{curve.solution + ", predicted", {}, {}, io::Mark::kPoints};
     for (const ConvergencePoint& p : curve.points) {
       truth.x.push_back(p.seconds);
-      truth.y.push_back(p.percentVisible);
-      if (!p.predictedPercent) continue;
+      truth.y.push_back(p.*drawn.truth);
+      const std::optional<double>& predicted = p.*drawn.predicted;
+      if (!predicted) continue;
       prediction.x.push_back(p.seconds);
-      prediction.y.push_back(*p.predictedPercent);
+      prediction.y.push_back(*predicted);
     }
     series.push_back(std::move(truth));
     series.push_back(std::move(prediction));
   }
   return io::plotted("Perceptual convergence", {"seconds", io::Scale::kLogarithmic},
-                     {"% of the pixels with P > 0.75", io::Scale::kLinear}, series);
+                     {drawn.unit, io::Scale::kLinear}, series);
 }
 
 std::string summary(const Curve& curve) {
@@ -136,7 +144,11 @@ ExitStatus runConverge(const ConvergeOptions& options, Console& console) {
   console.result(summary(curves.back()));
   const std::filesystem::path folder(options.job.out);
   io::writeTextFile(folder / "convergence.csv", csv(curves));
-  io::writeTextFile(folder / "convergence.svg", svg(curves));
+  io::writeTextFile(folder / "convergence.svg",
+                    svg(curves, {"% of the pixels with P > 0.75", &ConvergencePoint::percentVisible,
+                                 &ConvergencePoint::predictedPercent}));
+  io::writeTextFile(folder / "difference.svg", svg(curves, {"mean difference, JND", &ConvergencePoint::jnd,
+                                                            &ConvergencePoint::predictedJnd}));
   return ExitStatus::kDone;
 }
 

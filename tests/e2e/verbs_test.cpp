@@ -52,6 +52,7 @@ TEST_F(Verbs, ConvergeWritesACurveForEachSolution) {
   EXPECT_THAT(lines[1], testing::MatchesRegex("path,[0-9.]+,1,[0-9.]+,,[0-9.]+,"));
   EXPECT_THAT(lines[8], testing::MatchesRegex("walkthrough,[0-9.]+,8,[0-9.]+,[0-9.]+,[0-9.]+,[0-9.]+"));
   EXPECT_THAT(contents(at("curves/convergence.svg")), testing::HasSubstr("Perceptual convergence"));
+  EXPECT_THAT(contents(at("curves/difference.svg")), testing::HasSubstr("mean difference, JND"));
   expectRefused(converge("25", "8"), "--frame");
   expectRefused(converge("0", "6"), "--most-spp: expected a power of two, found 6");
 }
