@@ -1,7 +1,9 @@
 #include "ibr/source_lookup.h"
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace promenade::ibr {
 namespace {
@@ -17,7 +19,9 @@ SourceLookup::SourceLookup(const Visibility& source, const Visibility& target, c
       reproject_(target.camera, source.camera),
       targetRays_(target.camera),
       eyeShift_(target.camera.pose().eye - source.camera.pose().eye),
-      footprintLimit_(static_cast<float>(settings.footprintLimit)) {
+      footprintLimit_(static_cast<float>(settings.footprintLimit)),
+      viewDependent_(settings.viewDependent),
+      halfCreaseCosine_(static_cast<float>(std::cos(settings.creaseDegrees * std::numbers::pi / 360.0))) {
   const double focalRatio = target.camera.focalPixels() / source.camera.focalPixels();
   focalRatioSquared_ = static_cast<float>(focalRatio * focalRatio);
 }
@@ -52,12 +56,18 @@ Found SourceLookup::operator()(int x, int y) const {
     found.point.normal = normal;
     found.point.tolerance = surface_.tolerance(depth * shift.depthRatio);
   }
-  if (found.footprint == kInfinity || !surface_.agrees(found.nearestX, found.nearestY, found.point)) {
+  if (found.footprint == kInfinity || !surface_.agrees(found.nearestX, found.nearestY, found.point) ||
+      !facesAlike(found)) {
     found.validity = Validity::kOccluded;
   } else {
     found.validity = found.footprint <= footprintLimit_ ? Validity::kValid : Validity::kUndersampled;
   }
   return found;
+}
+
+bool SourceLookup::facesAlike(const Found& found) const {
+  if (!viewDependent_ || !viewDependent_(found.point.item)) return true;
+  return glm::dot(source_.normal(found.nearestX, found.nearestY), found.point.normal) >= halfCreaseCosine_;
 }
 
 /// Area of a sample on the surface: z^2 / (f^2 |n.r|), r the ray with axis component 1, so that source over

@@ -2,6 +2,7 @@
 // Would a target sample be found in a source, and where? What gatherWarp() fetches, and what a plan of
 // keyframes counts before anything is traced, is decided here.
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -35,6 +36,8 @@ class SourceLookup {
   [[nodiscard]] Found operator()(int x, int y) const;
 
  private:
+  /// Whether the surface faces the same way there as at the target sample, as far as its item needs it.
+  [[nodiscard]] bool facesAlike(const Found& found) const;
   [[nodiscard]] float footprint(const glm::vec3& ray, const glm::vec3& normal, ItemId item,
                                 float inverseDepth, float depthRatio) const;
 
@@ -46,6 +49,8 @@ class SourceLookup {
   glm::vec3 eyeShift_;  ///< from the source's eye to the target's
   float focalRatioSquared_ = 1.0f;
   float footprintLimit_;
+  std::function<bool(ItemId)> viewDependent_;
+  float halfCreaseCosine_;
 };
 
 }  // namespace promenade::ibr

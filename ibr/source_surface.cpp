@@ -9,8 +9,6 @@
 namespace promenade::ibr {
 namespace {
 
-// Smooth enough to be interpolated across 4 samples: 18 degrees from one sample to the next.
-constexpr float kSmoothCosine = 0.95f;
 // Rounding of the positions a renderer works with: 8 units in the last place of a float coordinate.
 constexpr double kRounding = 8.0 / (1 << 23);
 
@@ -57,7 +55,7 @@ SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, do
     const auto linked = [&](const SurfacePoint& p, const SurfacePoint& q) {
       if (p.item != q.item) return false;
       if (p.item == kNoItem) return true;
-      return glm::dot(p.normal, q.normal) >= kSmoothCosine &&
+      return glm::dot(p.normal, q.normal) >= creaseCosine() &&
              chordRunsAlong(q.fromSourceEye - p.fromSourceEye, p.normal, q.normal, p.tolerance);
     };
     bool tracedLeft = isTraced(0, y) && isTraced(0, y + 1);

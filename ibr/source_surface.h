@@ -79,6 +79,9 @@ class SampledSurface {
   /// The surface at a sample. Precondition: contains(x, y).
   [[nodiscard]] SurfacePoint pointOf(int x, int y) const;
 
+ protected:
+  [[nodiscard]] float creaseCosine() const { return creaseCosine_; }
+
  private:
   const Visibility& visibility_;
   RayBasis rays_;

@@ -23,7 +23,7 @@ struct TemporalFilterSettings {
   /// Samples of another frame count only where each covers at most this many samples of the filtered one, as
   /// in WarpSettings. > 0.
   double footprintLimit = 2.5;
-  double creaseDegrees = 30.5;  ///< as in WarpSettings
+  double creaseDegrees = kCreaseDegrees;
   /// What a surface reflects slides over it when the camera moves. From where a reflection of something
   /// infinitely far would slide by this many samples, the view-dependent layer of the other frame is not
   /// used. > 0.

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "ibr/crease.h"
 #include "src/core/frame.h"
 
 namespace promenade::ibr {
@@ -18,7 +19,7 @@ struct ViewLayerSettings {
   /// everywhere. Noise is not structure: the range may be wider by what so many samples differ by chance, and
   /// what is fitted to them is cleaner than any of them.
   std::function<float(ItemId)> noise = {};
-  double creaseDegrees = 30.5;  ///< as in WarpSettings
+  double creaseDegrees = kCreaseDegrees;
 };
 
 struct ViewLayer {

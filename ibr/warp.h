@@ -4,7 +4,9 @@
 // alone). Sources: McMillan 1997; Mark, McMillan, Bishop 1997; Nehab et al. 2007 (reverse reprojection).
 
 #include <cstdint>
+#include <functional>
 
+#include "ibr/crease.h"
 #include "src/core/frame.h"
 
 namespace promenade::ibr {
@@ -39,11 +41,11 @@ struct WarpSettings {
   /// A target sample is valid only if the source sample's area on the surface is at most this many times its
   /// own. > 0.
   double footprintLimit = 2.5;
-  /// Samples of one item whose geometric normals differ by more lie on two sides of a crease: neither stands
-  /// for the other. A larger angle leaves fewer holes on ornaments and foliage finer than a sample, and blurs
-  /// them. In (0, 180]. 30.5: the faces of a 12-sided column are one surface. Measured against 45.5 in two
-  /// scenes: +4 and +6 dB for 0.4% more holes.
-  double creaseDegrees = 30.5;
+  double creaseDegrees = kCreaseDegrees;  ///< in (0, 180]
+  /// Items that look different from elsewhere; empty: none. Where a surface is turned by an angle, what it
+  /// mirrors is turned by twice that, so of these the sample that answers may be turned by half the crease
+  /// angle only.
+  std::function<bool(ItemId)> viewDependent = {};
 };
 
 /// Fetches each target sample from `source`, of whose samples only the ray-traced ones count (kTraced,

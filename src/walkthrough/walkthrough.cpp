@@ -182,8 +182,10 @@ class Walk {
       pair.target = renderer_.visibilityAmong(sampleCamera(path_, settings_, index), known);
     }
     const Stopwatch watch(statistics_.seconds.warp);
-    pair.fromFirst = ibr::gatherWarp(first->frame, pair.target, settings_.warp);
-    pair.fromLast = ibr::gatherWarp(last->frame, pair.target, settings_.warp);
+    ibr::WarpSettings settings = settings_.warp;
+    settings.viewDependent = [this](ItemId item) { return renderer_.traits(item).viewDependent; };
+    pair.fromFirst = ibr::gatherWarp(first->frame, pair.target, settings);
+    pair.fromLast = ibr::gatherWarp(last->frame, pair.target, settings);
     return pair;
   }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+
 #include "ibr/warp.h"
 #include "tests/ibr/analytic_scene.h"
 #include "tests/ibr/maps.h"
@@ -122,6 +126,44 @@ TEST(GatherWarp, DoesNotTearCurvedAndTessellatedSurfaces) {
         validShare(AnalyticScene().add(1, prism({0, -5, -3}, 1.0, 10, sides), uniform(Rgb(1))), from, to, 1);
     EXPECT_GT(share, 0.985) << sides;
   }
+}
+
+/// How many valid target samples on a fold of one item, at x = 0, have their nearest source sample on its
+/// other side, which is turned by `degrees`.
+int answeredAcrossAFold(double degrees, const WarpSettings& settings) {
+  const double radians = degrees * std::numbers::pi / 180.0;
+  const AnalyticScene scene =
+      AnalyticScene()
+          .add(1, rectangle({-4, -4, -3}, {4, 0, 0}, {0, 8, 0}), uniform(Rgb(0.2f)))
+          .add(1, rectangle({0, -4, -3}, {4 * std::cos(radians), 0, -4 * std::sin(radians)}, {0, 8, 0}),
+               uniform(Rgb(0.8f)));
+  const Size size{64, 48};
+  const Frame source = scene.render(cameraAt({0.02, 0, 0}, size, 60.0));
+  // Turned about the line of sight: the fold crosses many samples, at all places in them.
+  const Visibility target = scene.visibility(turnedCamera({0.01, 0.01, 0}, 0, 0, 0.3, size, 60.0));
+  const Warped warped = gatherWarp(source, target, settings);
+  int across = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (warped.validity(x, y) != Validity::kValid) continue;
+      const glm::ivec2 nearest(glm::floor(warped.sourcePosition(x, y)));
+      if (source.visibility.normal(nearest.x, nearest.y) != target.normal(x, y)) ++across;
+    }
+  }
+  return across;
+}
+
+TEST(GatherWarp, DoesNotShowTheFaceBesideABevelInstead) {
+  EXPECT_GT(answeredAcrossAFold(15.0, {}), 0);  // as the faces of a column of 24 sides
+  EXPECT_EQ(answeredAcrossAFold(27.0, {}), 0);
+}
+
+TEST(GatherWarp, HoldsItemsThatMirrorToHalfTheCreaseAngle) {
+  const WarpSettings mirrors{.viewDependent = [](ItemId item) { return item == 1; }};
+  EXPECT_GT(answeredAcrossAFold(8.0, mirrors), 0);
+  EXPECT_EQ(answeredAcrossAFold(15.0, mirrors), 0);
+  const WarpSettings others{.viewDependent = [](ItemId item) { return item != 1; }};
+  EXPECT_EQ(answeredAcrossAFold(15.0, others), answeredAcrossAFold(15.0, {}));
 }
 
 TEST(GatherWarp, DoesNotTearSurfacesSeenAtAGrazingAngle) {
