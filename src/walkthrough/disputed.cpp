@@ -15,11 +15,6 @@ constexpr float kLargestDifference = 0.1f;
 /// Of an item's samples that both keyframes fill.
 constexpr double kLargestShare = 0.1;
 
-bool bothFill(const WarpedPair& warped, std::size_t i) {
-  return warped.fromFirst.validity.pixels()[i] == ibr::Validity::kValid &&
-         warped.fromLast.validity.pixels()[i] == ibr::Validity::kValid;
-}
-
 }  // namespace
 
 Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer) {
@@ -29,7 +24,7 @@ Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer) {
   };
   for (std::size_t i = 0; i < disputed.pixels().size(); ++i) {
     const ItemId item = warped.target.item.pixels()[i];
-    if (item == kNoItem || !bothFill(warped, i)) continue;
+    if (item == kNoItem || !warped.bothFill(i)) continue;
     if (!renderer.traits(item).viewDependent) continue;
     const float first = luminanceOf(warped.fromFirst, i);
     const float last = luminanceOf(warped.fromLast, i);
@@ -38,7 +33,7 @@ Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer) {
   return disputed;
 }
 
-Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped) {
+Mask disputedHereAndThere(const WarpedPair& warped) {
   struct Count {
     std::size_t filled = 0;
     std::size_t disputed = 0;
@@ -46,12 +41,12 @@ Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped) {
   const auto items = warped.target.item.pixels();
   std::unordered_map<ItemId, Count> counts;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!bothFill(warped, i)) continue;
+    if (!warped.bothFill(i)) continue;
     Count& count = counts[items[i]];
     ++count.filled;
-    if (disputed.pixels()[i] != 0) ++count.disputed;
+    if (warped.disputed.pixels()[i] != 0) ++count.disputed;
   }
-  Mask few = disputed.clone();
+  Mask few = warped.disputed.clone();
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (few.pixels()[i] == 0) continue;
     const Count& count = counts[items[i]];

@@ -2,6 +2,8 @@
 // Where the two keyframes of a segment contradict each other: a reflection or a highlight that is in one of
 // them only.
 
+#include <cstddef>
+
 #include "ibr/warp.h"
 #include "src/core/renderer.h"
 
@@ -12,15 +14,27 @@ struct WarpedPair {
   Visibility target;
   ibr::Warped fromFirst;
   ibr::Warped fromLast;
+  Mask disputed;  ///< disputedSamples() of the rest
+
+  /// Sample i, row by row.
+  [[nodiscard]] bool firstFills(std::size_t i) const {
+    return fromFirst.validity.pixels()[i] == ibr::Validity::kValid;
+  }
+  [[nodiscard]] bool lastFills(std::size_t i) const {
+    return fromLast.validity.pixels()[i] == ibr::Validity::kValid;
+  }
+  [[nodiscard]] bool bothFill(std::size_t i) const { return firstFills(i) && lastFills(i); }
 };
 
 /// Samples of view-dependent items that both keyframes fill, with luminances that differ by more than a tenth
 /// of the larger: no blend of the two is right. An item may have few of them, too few to be seen in the
-/// middle of the segment, and elsewhere a glint on a door handle. At sample resolution.
+/// middle of the segment, and elsewhere a glint on a door handle. At sample resolution. Does not look at
+/// WarpedPair::disputed.
 [[nodiscard]] Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer);
 
-/// Those of items of which at most a tenth of what both keyframes fill is disputed. Where more is, the rest
-/// may agree by chance, as the crests of two wave trains do: such items are to be judged whole.
-[[nodiscard]] Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped);
+/// Of the disputed samples, those of items of which at most a tenth of what both keyframes fill is disputed.
+/// Where more is, the rest may agree by chance, as the crests of two wave trains do: such items are to be
+/// judged whole.
+[[nodiscard]] Mask disputedHereAndThere(const WarpedPair& warped);
 
 }  // namespace promenade::walkthrough

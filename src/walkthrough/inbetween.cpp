@@ -29,9 +29,17 @@ std::vector<ibr::BlendSource> inTheOrderOfTime(const InbetweenSources& sources, 
 std::uint64_t countReused(const WarpedPair& keyframes, const Mask& holes) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < holes.pixels().size(); ++i) {
-    const bool byKeyframe = keyframes.fromFirst.validity.pixels()[i] == ibr::Validity::kValid ||
-                            keyframes.fromLast.validity.pixels()[i] == ibr::Validity::kValid;
-    if (!byKeyframe && holes.pixels()[i] == 0) ++count;
+    if (!keyframes.firstFills(i) && !keyframes.lastFills(i) && holes.pixels()[i] == 0) ++count;
+  }
+  return count;
+}
+
+/// Traced samples of items that are not traced as a whole.
+std::uint64_t countDisputed(const Mask& disputed, const RetracedItems& items, const ItemSet& whole) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < disputed.pixels().size(); ++i) {
+    if (disputed.pixels()[i] == 0 || items.traced.pixels()[i] == 0) continue;
+    if (!whole.contains(items.frame.visibility.item.pixels()[i])) ++count;
   }
   return count;
 }
@@ -90,10 +98,9 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.warp);
     WarpedPair& keyframes = sources.keyframes;
-    const Mask disputed = disputedSamples(keyframes, renderer);
     blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
-    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
-                            verdict, renderer);
+    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
+                            keyframes.disputed, verdict, renderer);
     reused = countReused(keyframes, blended.holes);
   }
   RetracedItems items;
@@ -103,6 +110,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, supersample, frameIndex,
                          renderer);
   }
+  const std::uint64_t disputed = countDisputed(sources.keyframes.disputed, items, retrace.traced);
   Inbetween inbetween{std::move(items.frame), {}};
   FrameStatistics& statistics = inbetween.statistics;
   statistics.index = frameIndex;
@@ -110,6 +118,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   statistics.samples = inbetween.frame.diffuse.size().area();
   statistics.holes = countSelected(retrace.holes);
   statistics.itemSamples = countSelected(items.traced);
+  statistics.disputed = disputed;
   statistics.layered = countSelected(retrace.items) - statistics.itemSamples;
   const auto from = inbetween.frame.source.pixels();
   const auto samplesFrom = [&](SampleSource source) {

@@ -144,7 +144,7 @@ ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item
 Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped, const VelocityMap& velocity,
                       const Renderer& renderer, const Settings& settings) {
   const int factor = settings.supersample;
-  const Mask disputed = disputedHereAndThere(disputedSamples(warped, renderer), warped);
+  const Mask disputed = disputedHereAndThere(warped);
   ComparedPair pair = comparedPair(warped, ItemSet(), disputed);
   Look look = compareAsSeen(pair, segment.middle(), velocity, settings);
 

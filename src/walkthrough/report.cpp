@@ -119,6 +119,7 @@ OrderedJson totalsJson(const Report& report) {
           {"samples", s.samples()},
           {"samples_traced", s.samplesTraced()},
           {"samples_probed", s.probes()},
+          {"samples_disputed", s.disputed()},
           {"traced_fraction", s.tracedFraction()},
           {"rays", rays.primary + rays.scattered + rays.shadow},
           {"visibility_rays", rays.visibility},

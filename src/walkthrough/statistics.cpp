@@ -40,6 +40,12 @@ std::uint64_t Statistics::probes() const {
   return sum;
 }
 
+std::uint64_t Statistics::disputed() const {
+  std::uint64_t sum = 0;
+  for (const FrameStatistics& frame : frames) sum += frame.disputed;
+  return sum;
+}
+
 int Statistics::keyframes() const {
   return static_cast<int>(std::count_if(frames.begin(), frames.end(), [](const FrameStatistics& frame) {
     return frame.kind == FrameKind::kKeyframe;

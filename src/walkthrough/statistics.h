@@ -28,6 +28,7 @@ struct FrameStatistics {
   std::uint64_t samplesTraced = 0;  ///< fully shaded; a sample shaded twice counts twice
   std::uint64_t holes = 0;          ///< samples that nothing traced before could fill (traced)
   std::uint64_t itemSamples = 0;    ///< samples of items whose warped look a viewer could tell (traced)
+  std::uint64_t disputed = 0;       ///< of itemSamples: of other items, where both keyframes disagree
   std::vector<ItemId> itemsTraced;  ///< those items, sorted
   std::uint64_t warped = 0;         ///< samples taken from keyframes and other inbetweens
   /// Of these, samples of such items of which only the diffuse layer was: the view-dependent one is that of
@@ -78,6 +79,7 @@ struct Statistics {
   /// Fully shaded samples, those of keyframes and probes included.
   [[nodiscard]] std::uint64_t samplesTraced() const;
   [[nodiscard]] std::uint64_t probes() const;
+  [[nodiscard]] std::uint64_t disputed() const;
   [[nodiscard]] int keyframes() const;
   /// samplesTraced() over all samples of all frames.
   [[nodiscard]] double tracedFraction() const;

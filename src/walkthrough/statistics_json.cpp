@@ -45,6 +45,7 @@ FrameStatistics frameFrom(const nlohmann::json& value) {
           .samplesTraced = value.at("samples_traced"),
           .holes = value.at("holes"),
           .itemSamples = value.at("items_traced"),
+          .disputed = value.at("disputed"),
           .itemsTraced = value.at("items").get<std::vector<ItemId>>(),
           .warped = value.at("warped"),
           .layered = value.at("layered"),
@@ -85,16 +86,16 @@ OrderedJson toJson(const SegmentStatistics& statistics) {
 }  // namespace
 
 OrderedJson toJson(const FrameStatistics& frame) {
-  const auto& [index, kind, samples, samplesTraced, holes, itemSamples, itemsTraced, warped, layered, reused,
-               unknown, stopping, rays, seconds] = frame;
+  const auto& [index, kind, samples, samplesTraced, holes, itemSamples, disputed, itemsTraced, warped,
+               layered, reused, unknown, stopping, rays, seconds] = frame;
   OrderedJson json = {
       {"index", index},       {"kind", kind == FrameKind::kKeyframe ? "keyframe" : "inbetween"},
       {"samples", samples},   {"samples_traced", samplesTraced},
       {"holes", holes},       {"items_traced", itemSamples},
-      {"items", itemsTraced}, {"warped", warped},
-      {"reused", reused},     {"layered", layered},
-      {"unknown", unknown},   {"rays", toJson(rays)},
-      {"seconds", seconds}};
+      {"disputed", disputed}, {"items", itemsTraced},
+      {"warped", warped},     {"reused", reused},
+      {"layered", layered},   {"unknown", unknown},
+      {"rays", toJson(rays)}, {"seconds", seconds}};
   if (stopping) {
     const auto& [paths, mostPaths, predictedPercent, openTiles] = *stopping;
     json.update({{"paths", paths},

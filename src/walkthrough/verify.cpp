@@ -40,7 +40,7 @@ WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const 
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
   const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                                        disputedSamples(middle.warped, renderer), items, renderer);
+                                        middle.warped.disputed, items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 
@@ -131,13 +131,11 @@ ProbeWeights probeWeights(const WarpedPair& warped, const Mask& traced) {
   const Visibility& target = warped.target;
   const ibr::RayBasis rays(target.camera);
   ProbeWeights weights(target.depth.size());
-  const auto isValid = [](const ibr::Warped& source, int x, int y) {
-    return source.validity(x, y) == ibr::Validity::kValid;
-  };
+  std::size_t i = 0;
   for (int y = 0; y < weights.height(); ++y) {
-    for (int x = 0; x < weights.width(); ++x) {
+    for (int x = 0; x < weights.width(); ++x, ++i) {
       if (traced(x, y) != 0) continue;
-      const bool both = isValid(warped.fromFirst, x, y) && isValid(warped.fromLast, x, y);
+      const bool both = warped.bothFill(i);
       const bool stretched =
           std::min(warped.fromFirst.footprint(x, y), warped.fromLast.footprint(x, y)) > kStretched;
       const bool grazing =

@@ -36,7 +36,7 @@ FramePair warpedPair(const Scene& scene, const paths::CameraPath& walk, int firs
   const Frame lastFrame = renderer->render(samples(last), last);
   const auto target = [&] { return renderer->visibility(samples(middle)); };
   walkthrough::WarpedPair warped{target(), ibr::gatherWarp(firstFrame, target(), ibr::WarpSettings{}),
-                                 ibr::gatherWarp(lastFrame, target(), ibr::WarpSettings{})};
+                                 ibr::gatherWarp(lastFrame, target(), ibr::WarpSettings{}), Mask()};
   const walkthrough::ComparedPair compared =
       walkthrough::comparedPair(warped, walkthrough::ItemSet(), Mask(warped.target.item.size()));
 

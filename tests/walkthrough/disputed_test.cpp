@@ -28,7 +28,8 @@ ibr::Warped warpedOf(Size size, float diffuse, float viewDependent) {
 WarpedPair panels(Size size, float first, float last) {
   return {{Camera(Pose{}, 1.0, size), DepthMap(size, 1.0f), NormalMap(size), ItemBuffer(size, kPanel)},
           warpedOf(size, 0.5f, first - 0.5f),
-          warpedOf(size, 0.5f, last - 0.5f)};
+          warpedOf(size, 0.5f, last - 0.5f),
+          Mask(size)};
 }
 
 TEST(DisputedSamples, DifferByMoreThanATenthOfTheLargerLuminance) {
@@ -57,12 +58,12 @@ TEST(DisputedSamples, BelongToViewDependentItems) {
 TEST(DisputedHereAndThere, AreAtMostATenthOfTheirItem) {
   constexpr ItemId kOther = 9;
   WarpedPair warped = panels({30, 1}, 1.0f, 1.0f);
-  Mask disputed(30, 1);
+  Mask& disputed = warped.disputed;
   for (int x = 10; x < 30; ++x) warped.target.item(x, 0) = kOther;
   disputed(3, 0) = 1;                                          // one of ten of the panel
   disputed(12, 0) = disputed(17, 0) = 1;                       // two of the other item,
   warped.fromLast.validity(29, 0) = ibr::Validity::kOccluded;  // of whose twenty one cannot be compared
-  const Mask few = disputedHereAndThere(disputed, warped);
+  const Mask few = disputedHereAndThere(warped);
   for (int x = 0; x < 30; ++x) EXPECT_EQ(few(x, 0), x == 3 ? 1 : 0) << x;
 }
 
@@ -78,9 +79,12 @@ TEST(DisputedSamples, AreTracedInEveryInbetweenThoughTheMiddleProvedTheirItem) {
   for (std::size_t i = 1; i < 8; ++i) {
     EXPECT_THAT(walk.frames[i].itemsTraced, testing::IsEmpty()) << i;
     EXPECT_GT(walk.frames[i].itemSamples, 0u) << i;
+    EXPECT_GT(walk.frames[i].disputed, 0u) << i;
+    EXPECT_LE(walk.frames[i].disputed, walk.frames[i].itemSamples) << i;
   }
   const Statistics matt = renderWalkthrough(path, AnalyticRenderer{Panel::kMatt}, settings, {});
   EXPECT_EQ(matt.frames[4].itemSamples, 0u);
+  EXPECT_EQ(matt.disputed(), 0u);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ WarpedPair pairOf(Size size) {
   pair.target = {Camera(Pose{}, 1.0, size), DepthMap(size, 1.0f), NormalMap(size), ItemBuffer(size, kWall)};
   pair.fromFirst = warpedOf(size, Rgb(0.25f), kWall);
   pair.fromLast = warpedOf(size, Rgb(0.75f), kWall);
+  pair.disputed = Mask(size);
   return pair;
 }
 
@@ -208,6 +209,7 @@ TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
     }
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
+  warped.disputed = disputedSamples(warped, renderer);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
@@ -226,6 +228,7 @@ TEST(JudgeMiddle, SaysThatOnlyTheViewDependentLayerOfAnItemFailed) {
     source->diffuse = RadianceMap(size, Rgb(0.1f));
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
+  warped.disputed = disputedSamples(warped, renderer);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_THAT(judgement.items.matt.items(), IsEmpty());

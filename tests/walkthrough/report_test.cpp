@@ -49,6 +49,7 @@ Report threeFrames() {
   inbetween.samplesTraced = 20;
   inbetween.holes = 5;
   inbetween.itemSamples = 15;
+  inbetween.disputed = 4;
   inbetween.itemsTraced = {3, 9};
   inbetween.warped = 180;
   inbetween.reused = 7;
@@ -102,6 +103,7 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
   EXPECT_EQ(totals["samples"], 600);
   EXPECT_EQ(totals["samples_traced"], 426);  // 420 of the frames, 6 probes
   EXPECT_EQ(totals["samples_probed"], 6);
+  EXPECT_EQ(totals["samples_disputed"], 4);
   EXPECT_DOUBLE_EQ(totals["traced_fraction"].get<double>(), 0.71);  // 426 / 600
   EXPECT_EQ(totals["rays"], 2 * 875 + 170);                         // without the visibility rays
   EXPECT_EQ(totals["visibility_rays"], 200 + 40);
@@ -122,7 +124,7 @@ TEST(ReportJson, HasTheStableKeysWithTheirMeaning) {
       "decision": "accept", "depth": 1, "rays": {"visibility": 40, "primary": 0, "scattered": 0, "shadow": 0}}])"));
   EXPECT_EQ(root["frames"][1],
             json::parse(R"({"index": 5, "kind": "inbetween", "samples": 200, "samples_traced": 20, "holes": 5,
-      "items_traced": 15, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "unknown": 0,
+      "items_traced": 15, "disputed": 4, "items": [3, 9], "warped": 180, "reused": 7, "layered": 30, "unknown": 0,
       "seconds": 0.5,
       "rays": {"visibility": 200, "primary": 20, "scattered": 100, "shadow": 50}})"));
   EXPECT_EQ(root["frames"][0]["kind"], "keyframe");
