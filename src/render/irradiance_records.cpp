@@ -1,5 +1,6 @@
 #include "src/render/irradiance_records.h"
 
+#include <hwy/highway.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -118,23 +119,72 @@ std::size_t IrradianceRecords::firstSlot(const Cell& cell) const {
   return CellHash{}(cell) & (slots_.size() - 1);
 }
 
-std::span<const IrradianceRecords::Entry> IrradianceRecords::entriesOf(const Cell& cell,
+void IrradianceRecords::Places::set(std::size_t lane, const Entry& entry) {
+  const auto& [position, facing, farthest] = entry.place;
+  x[lane] = position.x;
+  y[lane] = position.y;
+  z[lane] = position.z;
+  normalX[lane] = facing.x;
+  normalY[lane] = facing.y;
+  normalZ[lane] = facing.z;
+  reach[lane] = farthest;
+  record[lane] = entry.record;
+}
+
+IrradianceRecords::Entry IrradianceRecords::Places::at(std::size_t lane) const {
+  return {{{x[lane], y[lane], z[lane]}, {normalX[lane], normalY[lane], normalZ[lane]}, reach[lane]},
+          record[lane]};
+}
+
+IrradianceRecords::Places::Lanes IrradianceRecords::Places::weights(const glm::vec3& position,
+                                                                    const glm::vec3& normal) const {
+  namespace hn = hwy::HWY_NAMESPACE;
+  constexpr hn::CappedTag<float, kLanes> kTag;
+  const auto set = [](float value) { return hn::Set(kTag, value); };
+  alignas(kLanes * sizeof(float)) Lanes weights;
+  for (std::size_t i = 0; i < kLanes; i += hn::Lanes(kTag)) {
+    const auto load = [i](const Lanes& lanes) { return hn::Load(kTag, lanes.data() + i); };
+    // As weightOf(), operation by operation.
+    const auto dX = hn::Sub(set(position.x), load(x));
+    const auto dY = hn::Sub(set(position.y), load(y));
+    const auto dZ = hn::Sub(set(position.z), load(z));
+    const auto nX = load(normalX), nY = load(normalY), nZ = load(normalZ);
+    const auto farthest = load(reach);
+    const auto dot = [](auto aX, auto aY, auto aZ, auto bX, auto bY, auto bZ) {
+      return hn::Add(hn::Add(hn::Mul(aX, bX), hn::Mul(aY, bY)), hn::Mul(aZ, bZ));
+    };
+    const auto squared = dot(dX, dY, dZ, dX, dY, dZ);
+    const auto turn = hn::Sub(set(1.0f), dot(set(normal.x), set(normal.y), set(normal.z), nX, nY, nZ));
+    const auto reaches = hn::And(hn::Lt(squared, hn::Mul(farthest, farthest)), hn::Lt(turn, set(kMostTurn)));
+    const auto along =
+        dot(dX, dY, dZ, hn::Add(nX, set(normal.x)), hn::Add(nY, set(normal.y)), hn::Add(nZ, set(normal.z)));
+    const auto rise = hn::Div(hn::Mul(set(0.5f), hn::Abs(along)), hn::Mul(set(kMostRise), farthest));
+    const auto distance = hn::Div(hn::Sqrt(squared), farthest);
+    const auto turned = hn::Sqrt(hn::Div(hn::Max(turn, set(0.0f)), set(kMostTurn)));
+    const auto weight = hn::Max(set(0.0f), hn::Sub(set(1.0f), hn::Max(distance, hn::Max(turned, rise))));
+    hn::Store(hn::IfThenElseZero(reaches, weight), kTag, weights.data() + i);
+  }
+  return weights;
+}
+
+std::span<const IrradianceRecords::Places> IrradianceRecords::placesIn(const Cell& cell,
                                                                        std::size_t slot) const {
   for (std::size_t i = slot; slots_[i].begin < slots_[i].end; i = (i + 1) & (slots_.size() - 1)) {
     if (slots_[i].cell == cell)
-      return std::span(entries_).subspan(slots_[i].begin, slots_[i].end - slots_[i].begin);
+      return std::span(filed_).subspan(slots_[i].begin, slots_[i].end - slots_[i].begin);
   }
   return {};
 }
 
 template <class Visit>
-void IrradianceRecords::forEachLitNear(const glm::vec3& position, const Visit& visit) const {
+void IrradianceRecords::forEachLitNear(const glm::vec3& position, const glm::vec3& normal,
+                                       const Visit& visit) const {
   if (slots_.empty()) return;
   // What several levels need is asked of memory at once.
   constexpr std::size_t kAtOnce = 8;
   std::array<Cell, kAtOnce> cells;
   std::array<std::size_t, kAtOnce> slots;
-  std::array<std::span<const Entry>, kAtOnce> found;
+  std::array<std::span<const Places>, kAtOnce> found;
   for (std::size_t first = 0; first < levels_.size(); first += kAtOnce) {
     const std::size_t count = std::min(kAtOnce, levels_.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -143,12 +193,15 @@ void IrradianceRecords::forEachLitNear(const glm::vec3& position, const Visit& v
       __builtin_prefetch(&slots_[slots[i]]);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      found[i] = entriesOf(cells[i], slots[i]);
+      found[i] = placesIn(cells[i], slots[i]);
       __builtin_prefetch(found[i].data());
     }
     for (std::size_t i = 0; i < count; ++i) {
-      for (const Entry& entry : found[i]) {
-        if (!visit(entry)) return;
+      for (const Places& places : found[i]) {
+        const Places::Lanes weights = places.weights(position, normal);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          if (weights[lane] > 0.0f && !visit(places.at(lane), weights[lane])) return;
+        }
       }
     }
   }
@@ -256,15 +309,18 @@ void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<Li
 }
 
 void IrradianceRecords::fileLit() {
-  entries_.clear();
+  filed_.clear();
   slots_.assign(std::bit_ceil(2 * cells_.size() + 1), {});
   const std::size_t mask = slots_.size() - 1;
   for (const auto& [cell, records] : cells_) {
-    Slot slot{cell, static_cast<std::uint32_t>(entries_.size()), 0};
+    Slot slot{cell, static_cast<std::uint32_t>(filed_.size()), 0};
+    std::size_t count = 0;
     for (const std::uint32_t record : records) {
-      if (record < known_.size()) entries_.push_back({places_[record], record});
+      if (record >= known_.size()) continue;
+      if (count % kLanes == 0) filed_.emplace_back();
+      filed_.back().set(count++ % kLanes, {places_[record], record});
     }
-    slot.end = static_cast<std::uint32_t>(entries_.size());
+    slot.end = static_cast<std::uint32_t>(filed_.size());
     if (slot.begin == slot.end) continue;
     std::size_t i = firstSlot(cell);
     while (slots_[i].begin < slots_[i].end) i = (i + 1) & mask;
@@ -280,10 +336,8 @@ IrradianceRecords::Fit IrradianceRecords::fitAround(std::uint32_t record) const 
   const glm::vec3 y = glm::cross(here.normal, x);
   float w = 0.0f, wx = 0.0f, wy = 0.0f, xx = 0.0f, xy = 0.0f, yy = 0.0f;
   Rgb wv(0.0f), xv(0.0f), yv(0.0f);
-  forEachLitNear(here.position, [&](const Entry& entry) {
-    const float weight =
-        weightOf(entry.place, here.position, here.normal) * confidenceIn(gathered_[entry.record]);
-    if (!(weight > 0.0f)) return true;
+  forEachLitNear(here.position, here.normal, [&](const Entry& entry, float near) {
+    const float weight = near * confidenceIn(gathered_[entry.record]);
     const glm::vec3 offset = (entry.place.position - here.position) / here.reach;
     const Rgb value = radianceAround(lightOf(entry.record), entry.place.normal, here.normal);
     const float u = glm::dot(offset, x);
@@ -325,10 +379,9 @@ IrradianceRecords::Fit IrradianceRecords::fitAround(std::uint32_t record) const 
 std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, const glm::vec3& normal) const {
   SurfaceLight sum;
   float weights = 0.0f;
-  forEachLitNear(position, [&](const Entry& entry) {
+  forEachLitNear(position, normal, [&](const Entry& entry, float near) {
     // Where fine and coarse records overlap the fine ones know better.
-    const float weight = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
-    if (!(weight > 0.0f)) return true;
+    const float weight = near / (entry.place.reach * entry.place.reach);
     sum.radiance += radianceFrom(entry, position, normal) * weight;
     sum.meanDirection += known_[entry.record].meanDirection * weight;
     weights += weight;
@@ -341,16 +394,15 @@ std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, con
 std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position,
                                                          const glm::vec3& normal) const {
   float best = 0.0f;
-  const Entry* nearest = nullptr;
-  forEachLitNear(position, [&](const Entry& entry) {
-    const float weight = weightOf(entry.place, position, normal);
+  std::optional<Entry> nearest;
+  forEachLitNear(position, normal, [&](const Entry& entry, float weight) {
     if (weight > best) {
       best = weight;
-      nearest = &entry;
+      nearest = entry;
     }
     return best <= 1.0f - kCovered;
   });
-  if (nearest == nullptr) return std::nullopt;
+  if (!nearest) return std::nullopt;
   return SurfaceLight{radianceFrom(*nearest, position, normal), known_[nearest->record].meanDirection};
 }
 
@@ -363,9 +415,8 @@ std::optional<Rgb> IrradianceRecords::meanArriving(const glm::vec3& position, co
   float wholeLobe = 0.0f;
   Rgb sum(0.0f);
   float weights = 0.0f;
-  forEachLitNear(position, [&](const Entry& entry) {
-    const float share = weightOf(entry.place, position, normal) / (entry.place.reach * entry.place.reach);
-    if (!(share > 0.0f)) return true;
+  forEachLitNear(position, normal, [&](const Entry& entry, float near) {
+    const float share = near / (entry.place.reach * entry.place.reach);
     if (entry.place.normal != facing) {
       facing = entry.place.normal;
       lobe = weightsAbout(Basis(facing));

@@ -107,8 +107,9 @@ class IrradianceRecords {
     Rgb radiance{0.0f};
     glm::vec3 r{0.0f}, g{0.0f}, b{0.0f};
   };
-  // A look-up's time goes into waiting for memory. All that it needs of one record, and what finds it, lies
-  // each within a line of the cache.
+  // A look-up's time goes into waiting for memory, and into records that are near but do not reach. All that
+  // it needs of one record lies within a line of the cache; what finds records is looked at several at a
+  // time.
   struct alignas(64) Known {
     Fit fit;  ///< without the noise that the neighbours do not share
     glm::vec3 meanDirection{0.0f};
@@ -117,20 +118,32 @@ class IrradianceRecords {
     RecordPlace place;
     std::uint32_t record;
   };
+  static constexpr std::size_t kLanes = 8;
+  /// The places of some of a cell's records, a coordinate at a time. Reach 0: there is none.
+  struct Places {
+    using Lanes = std::array<float, kLanes>;
+    alignas(kLanes * sizeof(float)) Lanes x{}, y{}, z{}, normalX{}, normalY{}, normalZ{}, reach{};
+    std::array<std::uint32_t, kLanes> record{};
+
+    void set(std::size_t lane, const Entry& entry);
+    [[nodiscard]] Entry at(std::size_t lane) const;
+    /// weightOf() each of them.
+    [[nodiscard]] Lanes weights(const glm::vec3& position, const glm::vec3& normal) const;
+  };
   struct alignas(32) Slot {
     Cell cell{};
-    std::uint32_t begin = 0, end = 0;  ///< of entries_; empty: end of a search
+    std::uint32_t begin = 0, end = 0;  ///< of filed_; empty: end of a search
   };
 
   static Cell cellOf(int level, const glm::vec3& position);
   template <class Visit>
   void forEachNear(const glm::vec3& position, const Visit& visit) const;
-  /// `visit` returns whether to go on.
+  /// visit(entry, weight) for those with a weight on such an element; it returns whether to go on.
   template <class Visit>
-  void forEachLitNear(const glm::vec3& position, const Visit& visit) const;
+  void forEachLitNear(const glm::vec3& position, const glm::vec3& normal, const Visit& visit) const;
   [[nodiscard]] std::size_t firstSlot(const Cell& cell) const;
-  /// Entries of the cell whose search begins at that slot.
-  [[nodiscard]] std::span<const Entry> entriesOf(const Cell& cell, std::size_t slot) const;
+  /// Those of the cell whose search begins at that slot.
+  [[nodiscard]] std::span<const Places> placesIn(const Cell& cell, std::size_t slot) const;
   [[nodiscard]] SurfaceLight lightOf(std::uint32_t record) const;
   /// On an element that faces where the record does.
   [[nodiscard]] SurfaceLight lightBeside(const Entry& entry, const glm::vec3& position) const;
@@ -147,7 +160,7 @@ class IrradianceRecords {
   std::vector<SurfaceLight> gathered_;
   std::vector<Known> known_;
   std::vector<LightField> fields_;  // empty, or one for each
-  std::vector<Entry> entries_;      // cell by cell
+  std::vector<Places> filed_;       // cell by cell
   std::vector<Slot> slots_;         // open addressing; a power of two of them
 };
 

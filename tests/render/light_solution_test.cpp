@@ -6,6 +6,9 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
 
 #include "src/render/irradiance_records.h"
 #include "src/render/irradiance_solution.h"
@@ -159,6 +162,37 @@ TEST(IrradianceRecords, RoughlyAgreeWithTheirInterpolation) {
     EXPECT_NEAR(records.roughlyAt(place, kUp)->radiance.r, records.at(place, kUp)->radiance.r, 0.15f) << x;
   }
   EXPECT_FALSE(records.roughlyAt({50, 0, 0}, kUp).has_value());
+}
+
+// at() weighs several records at a time, coverage() one by one: both must find the same ones, or the mean
+// would leave the range that each by itself gives.
+TEST(IrradianceRecords, AreTheSameSeveralAtATimeAsOneByOne) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  const auto anyPoint = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
+  const auto anyNormal = [&] { return glm::normalize(kUp + 0.7f * anyPoint()); };
+  IrradianceRecords records;
+  std::vector<SurfaceLight> light;
+  for (int i = 0; i < 61; ++i) {
+    records.place({anyPoint() * glm::vec3(1.0f, 0.1f, 1.0f), anyNormal(), 0.6f + 0.5f * unit(random)});
+    light.push_back(lightOf(2.0f + unit(random)));
+  }
+  records.setLight(light);
+  int found = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const glm::vec3 position = 1.5f * anyPoint() * glm::vec3(1.0f, 0.2f, 1.0f);
+    const glm::vec3 normal = anyNormal();
+    const IrradianceRecords::Coverage one = records.coverage(position, normal);
+    const std::optional<SurfaceLight> all = records.at(position, normal);
+    ASSERT_EQ(all.has_value(), std::isfinite(one.finestReach));
+    ASSERT_EQ(records.roughlyAt(position, normal).has_value(), all.has_value());
+    if (!all) continue;
+    ++found;
+    EXPECT_GE(all->radiance.r, one.least * 0.9999f);
+    EXPECT_LE(all->radiance.r, one.most * 1.0001f);
+  }
+  EXPECT_GT(found, 500);
+  EXPECT_LT(found, 2900);
 }
 
 TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
