@@ -153,7 +153,8 @@ void addPipeline(CLI::App& verb, PipelineOptions& o) {
 
 void addConverge(CLI::App& verb, ConvergeOptions& o) {
   verb.add_option("scene", o.job.scene, "Scene: .glb or .gltf")->required();
-  verb.add_option("--out", o.job.out, "Folder for convergence.csv, convergence.svg and difference.svg")->required();
+  verb.add_option("--out", o.job.out, "Folder for convergence.csv, convergence.svg and difference.svg")
+      ->required();
   verb.add_option("--path", o.job.path,
                   "Camera path: a file, or an animation or camera of the scene by name");
   verb.add_option("--frame", o.frame, "Frame of the path, numbered from 0")->capture_default_str();
