@@ -56,13 +56,14 @@ struct Mean {
   SampleSource source = SampleSource::kBlended;
 };
 
-/// The sources that count at one sample.
+/// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<const BlendSource> sources, const DepthAgreement& sameDepth, double time, int x, int y)
-      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y) {
+  Counting(std::span<const BlendSource> sources, const DepthAgreement& sameDepth, double time, int x, int y,
+           Validity wanted)
+      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y), wanted_(wanted) {
     for (const BlendSource& source : sources_) {
-      if (source.warped->validity(x, y) != Validity::kValid) continue;
+      if (source.warped->validity(x, y) != wanted) continue;
       if (source.time == time) exact_ = &source;
       const float depth = source.warped->depth(x, y);
       if (isNone_ || depth < nearest_) nearest_ = depth;
@@ -80,7 +81,9 @@ class Counting {
           exact_ == &sources_.front() ? SampleSource::kWarpedFromPrevious : SampleSource::kWarpedFromNext};
     }
     const auto qualityOf = [&](const Warped& warped) {
-      return quality(warped.footprint(x_, y_), warped.footprintLimit);
+      const float footprint = warped.footprint(x_, y_);
+      return wanted_ == Validity::kValid ? quality(footprint, warped.footprintLimit)
+                                         : 1.0 / static_cast<double>(footprint);
     };
     const auto [mean, weight] = weighted(qualityOf);
     // All at their limit: none is better.
@@ -99,7 +102,7 @@ class Counting {
     bool later = false;
     for (const BlendSource& source : sources_) {
       const Warped& warped = *source.warped;
-      if (warped.validity(x_, y_) != Validity::kValid) continue;
+      if (warped.validity(x_, y_) != wanted_) continue;
       if (!sameDepth_(x_, y_, nearest_, warped.depth(x_, y_))) continue;
       const double weight = qualityOf(warped) / std::abs(time_ - source.time);
       if (!(weight > 0.0)) continue;
@@ -121,6 +124,7 @@ class Counting {
   double time_;
   int x_;
   int y_;
+  Validity wanted_;
   const BlendSource* exact_ = nullptr;  ///< that of this very time
   float nearest_ = 0.0f;                ///< depth
   bool isNone_ = true;
@@ -152,16 +156,19 @@ Blended blend(std::span<const BlendSource> sources, Visibility target, double ti
   const DepthAgreement sameDepth(target);
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
-      const Counting counting(sources, sameDepth, time, x, y);
-      if (counting.none()) {
-        blended.holes(x, y) = 1;
-        blended.frame.source(x, y) = SampleSource::kBlended;  // anything but traced, until it is
+      const auto put = [&](const Mean& mean) {
+        blended.frame.diffuse(x, y) = mean.diffuse;
+        blended.frame.viewDependent(x, y) = mean.viewDependent;
+        blended.frame.source(x, y) = mean.source;
+      };
+      const Counting fine(sources, sameDepth, time, x, y, Validity::kValid);
+      if (!fine.none()) {
+        put(fine.mean());
         continue;
       }
-      const Mean mean = counting.mean();
-      blended.frame.diffuse(x, y) = mean.diffuse;
-      blended.frame.viewDependent(x, y) = mean.viewDependent;
-      blended.frame.source(x, y) = mean.source;
+      blended.holes(x, y) = 1;
+      const Counting coarse(sources, sameDepth, time, x, y, Validity::kUndersampled);
+      put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown} : coarse.mean());
     }
   });
   blended.frame.visibility = std::move(target);

@@ -8,7 +8,7 @@
 namespace promenade::ibr {
 
 struct Blended {
-  Frame frame;  ///< visibility is the target's; `source` says warped, blended; holes have radiance 0
+  Frame frame;  ///< visibility is the target's; `source` says warped, blended, or kUnknown, with radiance 0
   Mask holes;   ///< no valid source: to be ray traced
 };
 
@@ -25,8 +25,10 @@ struct BlendSource {
 /// exactly 1 for it where it is valid: there the result is that source bit for bit. Sources behind the
 /// nearest surface that a valid source shows, by more than the tolerance (half a sample of the target across
 /// the line of sight), do not count. `source` of the result: kWarpedFromPrevious or kWarpedFromNext where
-/// only earlier or only later sources count, else kBlended. Throws InputError if there is no source, if the
-/// maps differ in size, or if times do not increase or `time` is not between the first and the last of them.
+/// only earlier or only later sources count, else kBlended. Where no source is valid, but some are
+/// undersampled, the hole has what these show, weighted by 1/footprint over distance in time: blurred, for
+/// those who cannot trace it. Throws InputError if there is no source, if the maps differ in size, or if
+/// times do not increase or `time` is not between the first and the last of them.
 [[nodiscard]] Blended blend(std::span<const BlendSource> sources, Visibility target, double time);
 
 /// The same for two keyframes: `t` in [0, 1], 0 at the frame of `previous`, 1 at that of `next`.

@@ -44,7 +44,9 @@ class Gather {
     Found& found = fetched.found;
     const bool isThere = found.validity == Validity::kValid || found.validity == Validity::kUndersampled;
     if (isThere && !surface_.isTraced(found.nearestX, found.nearestY)) found.validity = Validity::kNotTraced;
-    if (found.validity == Validity::kValid) fetched.radiance = reconstruct(found.at, found.point);
+    if (found.validity == Validity::kValid || found.validity == Validity::kUndersampled) {
+      fetched.radiance = reconstruct(found.at, found.point);
+    }
     return fetched;
   }
 

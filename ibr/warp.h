@@ -23,11 +23,11 @@ using ValidityMap = Map<struct ValidityTag, Validity>;
 
 /// Source samples as seen from the target, at the target's sample resolution.
 struct Warped {
-  RadianceMap diffuse;        ///< 0 where not valid
-  RadianceMap viewDependent;  ///< 0 where not valid
+  RadianceMap diffuse;        ///< 0 where neither valid nor undersampled
+  RadianceMap viewDependent;  ///< 0 where neither valid nor undersampled
   DepthMap depth;             ///< of the target surface
   ItemBuffer item;            ///< of the target surface
-  ValidityMap validity;       ///< radiance is meaningful only where kValid
+  ValidityMap validity;       ///< radiance is meaningful where kValid; where kUndersampled it is blurred
   /// Pixels in the source; NaN behind its eye.
   Map<struct SourcePositionTag, glm::vec2> sourcePosition;
   /// Surface area of a source sample over that of the target sample (for background: solid angles). 1 for

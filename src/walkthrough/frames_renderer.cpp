@@ -53,12 +53,15 @@ void FramesRenderer::retrace(Frame& frame, const Mask& mask, SampleSource, int f
     frame = make_(frame.visibility.camera, frameIndex);
     return;
   }
-  const RadianceMap filled = surroundings(combinedRadiance(frame), frame.visibility.depth, mask);
+  Mask unknown = mask.clone();
   for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
-    if (mask.pixels()[i] == 0) continue;
+    if (frame.source.pixels()[i] != SampleSource::kUnknown) unknown.pixels()[i] = 0;
+  }
+  const RadianceMap filled = surroundings(combinedRadiance(frame), frame.visibility.depth, unknown);
+  for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+    if (unknown.pixels()[i] == 0) continue;
     frame.diffuse.pixels()[i] = filled.pixels()[i];
     frame.viewDependent.pixels()[i] = Rgb(0.0f);
-    frame.source.pixels()[i] = SampleSource::kUnknown;
   }
 }
 

@@ -12,14 +12,15 @@ namespace promenade::walkthrough {
 /// Has a frame made, or reads it. The frame has `camera` and every map of its size.
 using FrameMaker = std::function<Frame(const Camera& camera, int frameIndex)>;
 
-/// For walks whose holes stay (Holes::kStay): retrace() puts colours of the surroundings and the source
-/// SampleSource::kUnknown, or has the frame made if too much is unknown. Materials are not known either: no
+/// For walks whose holes stay (Holes::kStay): retrace() puts colours of the surroundings where the source is
+/// SampleSource::kUnknown, and leaves what keyframes sampled too coarsely as it is, or has the frame made if
+/// both are too much. Materials are not known either: no
 /// item counts as view-dependent, and it is for the metric to find what cannot be warped. Remembers nothing,
 /// so that parts of a walk can be rendered apart.
 class FramesRenderer final : public Renderer {
  public:
-  /// `mostUnknownPercent`: of the samples of a frame between keyframes; with more of them it is made, too.
-  /// 100: never.
+  /// `mostUnknownPercent`: of the samples of a frame between keyframes; with more holes it is made, too. 100:
+  /// never.
   FramesRenderer(FrameMaker make, const ibr::WarpSettings& warp, double mostUnknownPercent);
 
   /// Nothing is hit: without frames nothing is known.

@@ -125,7 +125,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     return static_cast<std::uint64_t>(std::count(from.begin(), from.end(), source));
   };
   statistics.unknown = samplesFrom(SampleSource::kUnknown);
-  statistics.samplesTraced = statistics.holes - statistics.unknown + statistics.itemSamples;
+  statistics.samplesTraced = samplesFrom(SampleSource::kTracedHole) + statistics.itemSamples;
   if (samplesFrom(SampleSource::kTraced) == statistics.samples) {  // the renderer had to make a whole frame
     statistics.kind = FrameKind::kKeyframe;
     statistics.samplesTraced = statistics.samples;

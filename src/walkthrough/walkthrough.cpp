@@ -258,7 +258,7 @@ class Walk {
     const auto made = std::make_shared<const Inbetween>(makeInbetween(middle, segment, sources));
     std::vector<const Inbetween*> more = sources;
     // What nobody knows is no source of anything.
-    if (made->statistics.holes > made->statistics.unknown) more.push_back(made.get());
+    if (made->statistics.holes > 0 && made->statistics.samplesTraced > 0) more.push_back(made.get());
     finishBetween(segment, first, middle, more);
     finish(middle, {made, &made->frame}, made->statistics);
     finishBetween(segment, middle, last, more);

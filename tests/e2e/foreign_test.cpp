@@ -134,7 +134,7 @@ TEST_F(Blender, RendersKeyframesWhenItIsAsked) {
   const std::string command =
       std::string("blender -b --factory-startup -P ") + PROMENADE_SOURCE_DIR +
       "/examples/blender/render_frame.py -- --camera {camera} --out {out} --scene {scene} "
-      "--samples 1 --environment 1,1,1";
+      "--samples 4 --environment 1,1,1";
   const Outcome outcome =
       Process({"render", scene, "--renderer", command, "--out", at("out"), "--size", "64x36", "--supersample",
                "1", "--frames", "0-2", "--spacing", "2", "--exposure", "0"})
@@ -144,6 +144,15 @@ TEST_F(Blender, RendersKeyframesWhenItIsAsked) {
   // Promenade's own depth of the same frame: the wall at z = -3, seen from z = 1.
   const auto frame = io::readFrame(at("out/frames/000000.exr"));
   EXPECT_NEAR(frame.depth(32, 18), 4.0f, 1e-3f);
+  // Its left half, 0.8 of red, under a sky of radiance 1 and 3 lx straight from the front: 0.8 (1 + 3 / pi)
+  // = 1.56, and what Blender's coat of specular 0.5 adds to it, at most a twentieth of (1 + 3 / pi). 300
+  // pixels.
+  double red = 0.0;
+  for (int y = 11; y < 26; ++y) {
+    for (int x = 17; x < 37; ++x) red += frame.radiance(x, y).r / 300.0;
+  }
+  EXPECT_GT(red, 1.53);
+  EXPECT_LT(red, 1.69);
 }
 
 // A room of one bright wall, saved with settings that would spoil a frame that must be all of the picture:

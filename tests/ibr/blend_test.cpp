@@ -106,7 +106,7 @@ TEST(Blend, TakesTheOnlyValidSourceAndMarksHoles) {
   Warped previous = constant(size, 0.2f, 4.0f, 1.0f);
   Warped next = constant(size, 0.6f, 4.0f, 1.0f);
   previous.validity(0, 0) = Validity::kOccluded;
-  previous.validity(1, 0) = Validity::kUndersampled;
+  previous.validity(1, 0) = Validity::kOccluded;
   next.validity(1, 0) = Validity::kOutside;
   const Blended b = blend(previous, next, wall(size, 4.0f), 0.25);
   EXPECT_EQ(b.frame.diffuse(0, 0), Rgb(0.6f));
@@ -116,7 +116,7 @@ TEST(Blend, TakesTheOnlyValidSourceAndMarksHoles) {
   EXPECT_EQ(b.frame.diffuse(1, 0), Rgb(0.0f));
   EXPECT_NE(b.holes(1, 0), 0);
   // A hole is not a source, until it is traced.
-  EXPECT_NE(b.frame.source(1, 0), SampleSource::kTraced);
+  EXPECT_EQ(b.frame.source(1, 0), SampleSource::kUnknown);
   // The mirror image in time.
   const Blended mirrored = blend(next, previous, wall(size, 4.0f), 0.75);
   EXPECT_EQ(mirrored.frame.source(0, 0), SampleSource::kWarpedFromPrevious);
@@ -192,6 +192,29 @@ float amongThree(double time, float footprintOfTheOther, Validity validityOfTheO
   const Warped last = constant(size, 0.0f, 4.0f, 1.0f);
   const std::array<BlendSource, 3> sources{{{&first, 0.0}, {&other, 2.0}, {&last, 4.0}}};
   return blend(sources, wall(size, 4.0f), time).frame.diffuse(0, 0).r;
+}
+
+TEST(Blend, GivesAHoleWhatSourcesSampledTooCoarselyForThoseWhoCannotTraceIt) {
+  const Size size{1, 1};
+  const auto sourceWith = [&](float radiance, float footprint, Validity validity) {
+    return constant(size, radiance, 4.0f, footprint, validity);
+  };
+  // 1 / (4 * 0.25) and 1 / (8 * 0.75): shares of 6/7 and 1/7.
+  const Warped previous = sourceWith(0.7f, 4.0f, Validity::kUndersampled);
+  const Blended both =
+      blend(previous, sourceWith(1.4f, 8.0f, Validity::kUndersampled), wall(size, 4.0f), 0.25);
+  EXPECT_NE(both.holes(0, 0), 0);
+  EXPECT_FLOAT_EQ(both.frame.diffuse(0, 0).r, 0.8f);
+  EXPECT_FLOAT_EQ(both.frame.viewDependent(0, 0).r, 1.6f);
+  EXPECT_EQ(both.frame.source(0, 0), SampleSource::kBlended);
+  const Blended one = blend(previous, sourceWith(1.4f, 8.0f, Validity::kOccluded), wall(size, 4.0f), 0.25);
+  EXPECT_NE(one.holes(0, 0), 0);
+  EXPECT_EQ(one.frame.diffuse(0, 0), Rgb(0.7f));
+  EXPECT_EQ(one.frame.source(0, 0), SampleSource::kWarpedFromPrevious);
+  // Never where a source is fine enough.
+  const Blended fine = blend(previous, sourceWith(1.4f, 1.0f, Validity::kValid), wall(size, 4.0f), 0.25);
+  EXPECT_EQ(fine.holes(0, 0), 0);
+  EXPECT_EQ(fine.frame.diffuse(0, 0), Rgb(1.4f));
 }
 
 TEST(Blend, OfManySourcesWeighsByTheInverseDistanceInTime) {

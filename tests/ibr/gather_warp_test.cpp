@@ -123,6 +123,8 @@ TEST(GatherWarp, MeasuresTheFootprintAsAnAreaOnTheSurface) {
   // below it.
   const Warped near = gatherWarp(source, scene.visibility(cameraAt({0, 0, -1.5}, size, 20.0)), {});
   EXPECT_EQ(count(near.validity, Validity::kUndersampled), 21 * 15);
+  for (const Rgb& radiance : near.diffuse.pixels())
+    EXPECT_NEAR(radiance.r, 1.0f, 1e-5f);  // there, if blurred
   for (const float f : near.footprint.pixels()) EXPECT_NEAR(f, 2.56f, 1e-5f);
   const Warped wide = gatherWarp(source, scene.visibility(cameraAt({0, 0, -1.5}, size, 19.0)), {});
   EXPECT_EQ(count(wide.validity, Validity::kValid), 21 * 15);

@@ -108,10 +108,39 @@ TEST(FramesRenderer, HasAFrameMadeOfWhichTooMuchIsUnknown) {
     EXPECT_EQ(frame.visibility.item(20, 20), kNoItem);
     Mask one(settings.size);
     one(20, 20) = 1;
+    frame.source(20, 20) = SampleSource::kUnknown;
     frames.renderer.retrace(frame, one, SampleSource::kTracedHole, 3);
     const bool isMade = mostUnknownPercent == 0.0;
     EXPECT_EQ(frame.source(20, 20), isMade ? SampleSource::kTraced : SampleSource::kUnknown);
     EXPECT_EQ(frame.diffuse(40, 30), isMade ? frames.real.render(camera, 3).diffuse(40, 30) : Rgb(0.0f));
+  }
+}
+
+TEST(FramesRenderer, WhatAKeyframeSampledTooCoarselyIsBetterThanUnknown) {
+  // Ahead, 0.3 m a frame: what the last frame does not see any more, beside its borders, the first one saw
+  // from farther away, too coarsely for a limit of 1.
+  const AskedFrames frames(100.0);
+  auto path = tests::still(5);
+  for (int i = 0; i < 5; ++i) path.frames[static_cast<std::size_t>(i)].pose.eye.z = -0.3 * i;
+  Settings settings = settingsOfFrames(path);
+  settings.tolerancePercent = 100.0;
+  settings.warp.footprintLimit = 1.0;
+  float worst = 0.0f;
+  Outputs outputs;
+  outputs.frame = [&](FinishedFrame&& frame) {
+    const Frame expected = frames.real.render(path.camera(frame.index, settings.size), frame.index);
+    EXPECT_NE(frame.source(0, 18), SampleSource::kUnknown) << frame.index;
+    worst = std::max(worst, std::abs(frame.radiance(0, 18).x - expected.diffuse(0, 18).x));
+  };
+  const Statistics statistics = renderParts(path, frames.renderer, settings, Plan{Segment{0, 4, 0}}, outputs);
+  EXPECT_LT(worst, 0.04f);  // half a sample, as above
+  for (const FrameStatistics& frame : statistics.frames) {
+    if (frame.kind != FrameKind::kInbetween) continue;
+    // The wall is 6 to 4.8 m away: 1 - (4.8 / 5.1)^2 = 0.11 of frame 3 are not in the last.
+    EXPECT_GT(frame.holes, frame.samples / 20) << frame.index;
+    EXPECT_LT(frame.unknown, frame.holes / 10) << frame.index;
+    EXPECT_EQ(frame.samplesTraced, 0u) << frame.index;
+    EXPECT_EQ(frame.warped, frame.samples - frame.unknown) << frame.index;
   }
 }
 
