@@ -1,11 +1,12 @@
 #pragma once
 // Where the two keyframes of a segment contradict each other: a reflection or a highlight that is in one of
-// them only.
+// them only, or a pattern that is finer than their samples.
 
 #include <cstddef>
 
 #include "ibr/warp.h"
 #include "src/core/renderer.h"
+#include "src/walkthrough/item_set.h"
 
 namespace promenade::walkthrough {
 
@@ -14,7 +15,8 @@ struct WarpedPair {
   Visibility target;
   ibr::Warped fromFirst;
   ibr::Warped fromLast;
-  Mask disputed;  ///< disputedSamples() of the rest
+  Mask disputed;  ///< disputedSamples() of the rest, of view-dependent items unless the segment's verdict
+                  ///< says all
 
   /// Sample i, row by row.
   [[nodiscard]] bool firstFills(std::size_t i) const {
@@ -26,15 +28,25 @@ struct WarpedPair {
   [[nodiscard]] bool bothFill(std::size_t i) const { return firstFills(i) && lastFills(i); }
 };
 
-/// Samples of view-dependent items that both keyframes fill, with luminances that differ by more than a tenth
-/// of the larger: no blend of the two is right. An item may have few of them, too few to be seen in the
-/// middle of the segment, and elsewhere a glint on a door handle. At sample resolution. Does not look at
+/// Of which items samples are disputed. Those that look the same from everywhere are where their pattern is
+/// finer than the samples: road markings far ahead.
+enum class Disputes {
+  kOfViewDependentItems,
+  kOfAllItems,
+};
+
+/// Samples of such items that both keyframes fill, with luminances that differ by more than a tenth of the
+/// larger: no blend of the two is right. An item may have few of them, too few to be seen in the middle of
+/// the segment, and elsewhere a glint on a door handle. At sample resolution. Does not look at
 /// WarpedPair::disputed.
-[[nodiscard]] Mask disputedSamples(const WarpedPair& warped, const Renderer& renderer);
+[[nodiscard]] Mask disputedSamples(const WarpedPair& warped, Disputes disputes, const Renderer& renderer);
+
+/// The items of which more than a tenth of what both keyframes fill is disputed.
+[[nodiscard]] ItemSet widelyDisputed(const Mask& disputed, const WarpedPair& warped);
 
 /// Of the disputed samples, those of items of which at most a tenth of what both keyframes fill is disputed.
 /// Where more is, the rest may agree by chance, as the crests of two wave trains do: such items are to be
 /// judged whole.
-[[nodiscard]] Mask disputedHereAndThere(const WarpedPair& warped);
+[[nodiscard]] Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped);
 
 }  // namespace promenade::walkthrough

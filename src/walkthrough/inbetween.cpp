@@ -61,13 +61,13 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
     if (id == kNoItem) continue;
     const auto [entry, isNew] = trusted.try_emplace(id);
     if (isNew) {
-      entry->second = !renderer.traits(id).viewDependent ? Trust::kWhole
-                      : verdict.proven.contains(id)      ? Trust::kWhereBothAgree
-                                                         : Trust::kNone;
+      entry->second = verdict.failing.contains(id)         ? Trust::kNone
+                      : !renderer.traits(id).viewDependent ? Trust::kWhole
+                      : verdict.proven.contains(id)        ? Trust::kWhereBothAgree
+                                                           : Trust::kNone;
     }
-    const bool bothAgree = sources[i] == SampleSource::kBlended && contradicted[i] == 0;
-    const bool isTraced =
-        entry->second == Trust::kNone || (entry->second == Trust::kWhereBothAgree && !bothAgree);
+    const bool isTraced = entry->second == Trust::kNone || contradicted[i] != 0 ||
+                          (entry->second == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
     if (isTraced && hole[i] == 0) selected[i] = 1;
   }
   std::vector<ItemId> list;
@@ -98,6 +98,9 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.warp);
     WarpedPair& keyframes = sources.keyframes;
+    if (verdict.disputes == Disputes::kOfAllItems) {
+      keyframes.disputed = disputedSamples(keyframes, verdict.disputes, renderer);
+    }
     blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
                             keyframes.disputed, verdict, renderer);

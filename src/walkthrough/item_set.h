@@ -18,6 +18,12 @@ class ItemSet {
   [[nodiscard]] bool contains(ItemId item) const {
     return std::binary_search(items_.begin(), items_.end(), item);
   }
+  /// What is in either.
+  [[nodiscard]] ItemSet with(const ItemSet& more) const {
+    std::vector<ItemId> both = items_;
+    both.insert(both.end(), more.items_.begin(), more.items_.end());
+    return ItemSet(std::move(both));
+  }
   [[nodiscard]] bool empty() const { return items_.empty(); }
   [[nodiscard]] const std::vector<ItemId>& items() const { return items_; }
 

@@ -36,9 +36,13 @@ struct ComparedPair {
 /// The view-dependent items whose look may not be warped in this segment follow from what was seen in its
 /// middle.
 struct ItemVerdict {
-  ItemSet failing;    ///< compared, and more than the tolerance of their pixels differ visibly
+  /// Compared, and more than the tolerance of their pixels differ visibly; with Disputes::kOfAllItems also
+  /// those that look the same from everywhere and are widely disputed.
+  ItemSet failing;
   ItemSet proven;     ///< compared, and did not fail
   ItemSet matt = {};  ///< of the failing: so does their diffuse layer by itself
+  /// Which disputed samples are traced throughout the segment.
+  Disputes disputes = Disputes::kOfViewDependentItems;
 };
 
 /// `item`, `excluded`, `unverified` at display resolution. Only items for which `renderer` says viewDependent
@@ -54,7 +58,9 @@ struct Judgement {
   JudgedMiddle middle;
 };
 
-/// `velocity` is the image velocity of the middle frame at display resolution.
+/// `velocity` is the image velocity of the middle frame at display resolution. A segment that would be split
+/// is judged again with the disputed samples of all items taken out, and is accepted so if to trace them in
+/// all inbetweens costs less than the keyframe that a split would add.
 [[nodiscard]] Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped,
                                     const VelocityMap& velocity, const Renderer& renderer,
                                     const Settings& settings);

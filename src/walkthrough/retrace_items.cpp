@@ -50,11 +50,14 @@ RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, 
   const Size size = items.size();
   RetracedItems retraced{std::move(frame), Mask(size)};
   Mask known(size);
+  // Of what has no view-dependent layer to speak of it is the diffuse one that is wrong.
+  const auto isTracedFirst = [&](int x, int y) {
+    const ItemId item = retraced.frame.visibility.item(x, y);
+    return isFirstOfPixel(x, y, supersample) || matt.contains(item) || !renderer.traits(item).viewDependent;
+  };
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const bool isFirst =
-          isFirstOfPixel(x, y, supersample) || matt.contains(retraced.frame.visibility.item(x, y));
-      retraced.traced(x, y) = items(x, y) != 0 && isFirst ? 1 : 0;
+      retraced.traced(x, y) = items(x, y) != 0 && isTracedFirst(x, y) ? 1 : 0;
       known(x, y) =
           retraced.traced(x, y) != 0 || retraced.frame.source(x, y) == SampleSource::kTracedHole ? 1 : 0;
     }

@@ -16,8 +16,8 @@ struct RetracedItems {
 /// view-dependent layer was warped from where it looked different. One of the `supersample`^2 samples of a
 /// pixel is ray traced; the others keep their warped diffuse layer and get the view-dependent one of the
 /// traced samples around them on the same surface, unless these differ too much (ibr::interpolateViewLayer):
-/// then they are ray traced as well. Of `matt` items, whose diffuse layer may not be warped either, all
-/// samples are.
+/// then they are ray traced as well. Of `matt` items, whose diffuse layer may not be warped either, and of
+/// items that look the same from everywhere all samples are.
 [[nodiscard]] RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, int supersample,
                                          int frameIndex, const Renderer& renderer);
 

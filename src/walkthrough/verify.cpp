@@ -39,8 +39,9 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
-  const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                                        middle.warped.disputed, items, renderer);
+  const Retrace retrace =
+      selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
+                    disputedSamples(middle.warped, items.disputes, renderer), items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 
@@ -122,7 +123,8 @@ ItemVerdict fail(const ItemVerdict& verdict, const ItemSet& caught) {
   // Which layer was wrong is not known.
   std::vector<ItemId> matt = verdict.matt.items();
   matt.insert(matt.end(), caught.items().begin(), caught.items().end());
-  return {ItemSet(std::move(failing)), ItemSet(std::move(proven)), ItemSet(std::move(matt))};
+  return {ItemSet(std::move(failing)), ItemSet(std::move(proven)), ItemSet(std::move(matt)),
+          verdict.disputes};
 }
 
 }  // namespace

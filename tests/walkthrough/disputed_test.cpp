@@ -34,9 +34,15 @@ WarpedPair panels(Size size, float first, float last) {
 
 TEST(DisputedSamples, DifferByMoreThanATenthOfTheLargerLuminance) {
   const AnalyticRenderer renderer{Panel::kMirrorLike};
-  EXPECT_THAT(disputedSamples(panels({1, 1}, 1.0f, 0.89f), renderer).pixels(), ElementsAre(1));
-  EXPECT_THAT(disputedSamples(panels({1, 1}, 0.89f, 1.0f), renderer).pixels(), ElementsAre(1));
-  EXPECT_THAT(disputedSamples(panels({1, 1}, 1.0f, 0.91f), renderer).pixels(), ElementsAre(0));
+  EXPECT_THAT(
+      disputedSamples(panels({1, 1}, 1.0f, 0.89f), Disputes::kOfViewDependentItems, renderer).pixels(),
+      ElementsAre(1));
+  EXPECT_THAT(
+      disputedSamples(panels({1, 1}, 0.89f, 1.0f), Disputes::kOfViewDependentItems, renderer).pixels(),
+      ElementsAre(1));
+  EXPECT_THAT(
+      disputedSamples(panels({1, 1}, 1.0f, 0.91f), Disputes::kOfViewDependentItems, renderer).pixels(),
+      ElementsAre(0));
 }
 
 TEST(DisputedSamples, AreFilledByBothKeyframes) {
@@ -44,15 +50,22 @@ TEST(DisputedSamples, AreFilledByBothKeyframes) {
   WarpedPair warped = panels({3, 1}, 1.0f, 0.5f);
   warped.fromFirst.validity(0, 0) = ibr::Validity::kOccluded;
   warped.fromLast.validity(1, 0) = ibr::Validity::kOutside;
-  EXPECT_THAT(disputedSamples(warped, renderer).pixels(), ElementsAre(0, 0, 1));
+  EXPECT_THAT(disputedSamples(warped, Disputes::kOfViewDependentItems, renderer).pixels(),
+              ElementsAre(0, 0, 1));
 }
 
-TEST(DisputedSamples, BelongToViewDependentItems) {
+TEST(DisputedSamples, BelongToViewDependentItemsUnlessAllAreAskedFor) {
   WarpedPair warped = panels({3, 1}, 1.0f, 0.5f);
   warped.target.item(0, 0) = kWall;
   warped.target.item(1, 0) = kNoItem;
-  EXPECT_THAT(disputedSamples(warped, AnalyticRenderer{Panel::kMirrorLike}).pixels(), ElementsAre(0, 0, 1));
-  EXPECT_THAT(disputedSamples(warped, AnalyticRenderer{Panel::kMatt}).pixels(), Each(0));
+  EXPECT_THAT(
+      disputedSamples(warped, Disputes::kOfViewDependentItems, AnalyticRenderer{Panel::kMirrorLike}).pixels(),
+      ElementsAre(0, 0, 1));
+  EXPECT_THAT(
+      disputedSamples(warped, Disputes::kOfViewDependentItems, AnalyticRenderer{Panel::kMatt}).pixels(),
+      Each(0));
+  EXPECT_THAT(disputedSamples(warped, Disputes::kOfAllItems, AnalyticRenderer{Panel::kMatt}).pixels(),
+              ElementsAre(1, 0, 1));
 }
 
 TEST(DisputedHereAndThere, AreAtMostATenthOfTheirItem) {
@@ -63,7 +76,7 @@ TEST(DisputedHereAndThere, AreAtMostATenthOfTheirItem) {
   disputed(3, 0) = 1;                                          // one of ten of the panel
   disputed(12, 0) = disputed(17, 0) = 1;                       // two of the other item,
   warped.fromLast.validity(29, 0) = ibr::Validity::kOccluded;  // of whose twenty one cannot be compared
-  const Mask few = disputedHereAndThere(warped);
+  const Mask few = disputedHereAndThere(warped.disputed, warped);
   for (int x = 0; x < 30; ++x) EXPECT_EQ(few(x, 0), x == 3 ? 1 : 0) << x;
 }
 

@@ -57,17 +57,19 @@ TEST_F(SelectRetrace, TracesWhatOfAProvenItemOneKeyframeAloneFills) {
 }
 
 TEST_F(SelectRetrace, TracesWhatOfAProvenItemTheKeyframesContradictEachOtherIn) {
-  disputed(0, 0) = disputed(1, 0) = disputed(2, 0) = 1;  // the wall, the panel, and a hole in it
+  disputed(1, 0) = disputed(2, 0) = 1;  // the panel, and a hole in it
   const Retrace retrace =
       selectRetrace(item, holes, source, disputed, {ItemSet(), ItemSet({kPanel})}, renderer);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
-TEST_F(SelectRetrace, NeverTracesItemsThatLookTheSameFromEverywhere) {
+TEST_F(SelectRetrace, TracesOnlyWhatIsDisputedOfItemsThatLookTheSameFromEverywhere) {
   const AnalyticRenderer matt{Panel::kMatt};
-  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, Mask(4, 1, 1), {}, matt);
-  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
+  disputed(1, 0) = 1;
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, disputed, {}, matt);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
 TEST(SharedAmongInbetweens, IsWhatLooksTheSameFromEverywhere) {

@@ -194,6 +194,31 @@ TEST(JudgeMiddle, SplitsWhereAViewerSeesADifference) {
   EXPECT_GT(judgement.statistics.differencePercent, 50.0);
 }
 
+TEST(JudgeMiddle, HasAFewDisputedSamplesOfAMattItemTracedInsteadOfSplitting) {
+  const Size size{96, 64};
+  WarpedPair warped = pairOf(size);
+  warped.fromLast = warpedOf(size, Rgb(0.25f), kWall);
+  // Lines that each keyframe shows elsewhere: 2 * 4 of 96 columns.
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 6; x < size.width; x += 24) {
+      warped.fromFirst.diffuse(x, y) = Rgb(0.9f);
+      warped.fromLast.diffuse(x + 1, y) = Rgb(0.9f);
+    }
+  }
+  const AnalyticRenderer renderer{Panel::kMatt};
+  Settings settings = settingsFor(size);
+  const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settings);
+  EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
+  EXPECT_EQ(judgement.items.disputes, Disputes::kOfAllItems);
+  EXPECT_EQ(judgement.statistics.differencePercent, 0.0);
+  EXPECT_NEAR(judgement.statistics.maskedPercent, 100.0 * 8 / 96, 1e-9);
+  // Where they cannot be traced they are seen.
+  settings.holes = Holes::kStay;
+  const Judgement untraced = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settings);
+  EXPECT_EQ(untraced.statistics.decision, Decision::kSplit);
+  EXPECT_GT(untraced.statistics.differencePercent, 50.0);
+}
+
 TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
   const Size size{96, 64};
   WarpedPair warped = stripedPair(size);
@@ -209,7 +234,7 @@ TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
     }
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
-  warped.disputed = disputedSamples(warped, renderer);
+  warped.disputed = disputedSamples(warped, Disputes::kOfViewDependentItems, renderer);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
@@ -228,7 +253,7 @@ TEST(JudgeMiddle, SaysThatOnlyTheViewDependentLayerOfAnItemFailed) {
     source->diffuse = RadianceMap(size, Rgb(0.1f));
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
-  warped.disputed = disputedSamples(warped, renderer);
+  warped.disputed = disputedSamples(warped, Disputes::kOfViewDependentItems, renderer);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_THAT(judgement.items.matt.items(), IsEmpty());

@@ -73,6 +73,13 @@ TEST(RetraceItems, TracesEverySampleOfASharpReflection) {
   EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 0.5f * 0.08f * 1.7f);
 }
 
+TEST(RetraceItems, TracesEverySampleOfWhatLooksTheSameFromEverywhere) {
+  const AnalyticRenderer renderer(Panel::kMatt);
+  Wrong wrong = wrongPanel(renderer);
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
+  EXPECT_EQ(count(retraced.traced), wrong.samples);
+}
+
 TEST(RetraceItems, TracesEverySampleWhereTheDiffuseLayerFailedAsWell) {
   const AnalyticRenderer renderer(Panel::kGlossy);
   Wrong wrong = wrongPanel(renderer);
