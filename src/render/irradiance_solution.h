@@ -52,8 +52,8 @@ struct SolutionSettings {
   /// surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way of a patch of sun
   /// has 0.13, a hall under windows 0.05 and nothing to gain.
   double noisy = 0.08;
-  /// Per coarse record of such a scene in the last pass, less before. The errors of coarse records do not average out where few of them
-  /// send most of the light: then they move the whole picture.
+  /// Per coarse record of such a scene in the last pass, less before. The errors of coarse records do not
+  /// average out where few of them send most of the light: then they move the whole picture.
   int noisyCoarsePaths = 1024;
   /// Of a fine record. Its light by direction needs the paths that begin, even where the light as a whole is
   /// clean with fewer.
