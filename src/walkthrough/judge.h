@@ -58,9 +58,10 @@ struct Judgement {
   JudgedMiddle middle;
 };
 
-/// `velocity` is the image velocity of the middle frame at display resolution. A segment that would be split
-/// is judged again with the disputed samples of all items taken out, and is accepted so if to trace them in
-/// all inbetweens costs less than the keyframe that a split would add.
+/// `velocity` is the image velocity of the middle frame at display resolution. A segment that would be split,
+/// though at most half of the picture differs visibly, is judged again with the disputed samples of all items
+/// taken out, and is accepted so if to trace them in all inbetweens costs less than the keyframe that a split
+/// would add.
 [[nodiscard]] Judgement judgeMiddle(const Segment& segment, const WarpedPair& warped,
                                     const VelocityMap& velocity, const Renderer& renderer,
                                     const Settings& settings);
