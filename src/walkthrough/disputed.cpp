@@ -35,6 +35,11 @@ Mask disputedSamples(const WarpedPair& warped, Disputes disputes, const Renderer
   return disputed;
 }
 
+Mask disputedOf(const WarpedPair& warped, Disputes disputes, const Renderer& renderer) {
+  return disputes == Disputes::kOfAllItems ? disputedSamples(warped, disputes, renderer)
+                                           : warped.disputed.clone();
+}
+
 ItemSet widelyDisputed(const Mask& disputed, const WarpedPair& warped) {
   struct Count {
     std::size_t filled = 0;

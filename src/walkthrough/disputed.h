@@ -41,6 +41,9 @@ enum class Disputes {
 /// WarpedPair::disputed.
 [[nodiscard]] Mask disputedSamples(const WarpedPair& warped, Disputes disputes, const Renderer& renderer);
 
+/// The same, from WarpedPair::disputed where that is all that is asked for.
+[[nodiscard]] Mask disputedOf(const WarpedPair& warped, Disputes disputes, const Renderer& renderer);
+
 /// The items of which more than a tenth of what both keyframes fill is disputed.
 [[nodiscard]] ItemSet widelyDisputed(const Mask& disputed, const WarpedPair& warped);
 

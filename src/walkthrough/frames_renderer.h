@@ -14,9 +14,8 @@ using FrameMaker = std::function<Frame(const Camera& camera, int frameIndex)>;
 
 /// For walks whose holes stay (Holes::kStay): retrace() puts colours of the surroundings where the source is
 /// SampleSource::kUnknown, and leaves what keyframes sampled too coarsely as it is, or has the frame made if
-/// both are too much. Materials are not known either: no
-/// item counts as view-dependent, and it is for the metric to find what cannot be warped. Remembers nothing,
-/// so that parts of a walk can be rendered apart.
+/// both are too much. Materials are not known either: no item counts as view-dependent, and it is for the
+/// metric to find what cannot be warped. Remembers nothing, so that parts of a walk can be rendered apart.
 class FramesRenderer final : public Renderer {
  public:
   /// `mostUnknownPercent`: of the samples of a frame between keyframes; with more holes it is made, too. 100:

@@ -163,8 +163,7 @@ struct Judged {
 Judged judgeWithout(Disputes disputes, const Segment& segment, const WarpedPair& warped,
                     const VelocityMap& velocity, const Renderer& renderer, const Settings& settings) {
   const int factor = settings.supersample;
-  const Mask allDisputed = disputes == Disputes::kOfAllItems ? disputedSamples(warped, disputes, renderer)
-                                                             : warped.disputed.clone();
+  const Mask allDisputed = disputedOf(warped, disputes, renderer);
   const Mask disputed = disputedHereAndThere(allDisputed, warped);
   const ItemSet patterned = mattAmong(widelyDisputed(allDisputed, warped), renderer);
   ComparedPair pair = comparedPair(warped, patterned, disputed);

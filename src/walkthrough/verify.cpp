@@ -39,9 +39,8 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
-  const Retrace retrace =
-      selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                    disputedSamples(middle.warped, items.disputes, renderer), items, renderer);
+  const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
+                                        disputedOf(middle.warped, items.disputes, renderer), items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 
