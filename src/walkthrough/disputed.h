@@ -15,8 +15,7 @@ struct WarpedPair {
   Visibility target;
   ibr::Warped fromFirst;
   ibr::Warped fromLast;
-  Mask disputed;  ///< disputedSamples() of the rest, of view-dependent items unless the segment's verdict
-                  ///< says all
+  Mask disputed;  ///< disputedSamples() of the rest
 
   /// Sample i, row by row.
   [[nodiscard]] bool firstFills(std::size_t i) const {
@@ -28,28 +27,32 @@ struct WarpedPair {
   [[nodiscard]] bool bothFill(std::size_t i) const { return firstFills(i) && lastFills(i); }
 };
 
-/// Of which items samples are disputed. Those that look the same from everywhere are where their pattern is
-/// finer than the samples: road markings far ahead.
+/// Samples that both keyframes fill, with luminances that differ by more than a tenth of the larger: no blend
+/// of the two is right. An item may have few of them, too few to be seen in the middle of the segment, and
+/// elsewhere a glint on a door handle. The background has none. At sample resolution. Does not look at
+/// WarpedPair::disputed.
+[[nodiscard]] Mask disputedSamples(const WarpedPair& warped);
+
+/// Of which items disputed samples count. Those that look the same from everywhere are disputed where their
+/// pattern is finer than the samples: road markings far ahead.
 enum class Disputes {
   kOfViewDependentItems,
   kOfAllItems,
 };
 
-/// Samples of such items that both keyframes fill, with luminances that differ by more than a tenth of the
-/// larger: no blend of the two is right. An item may have few of them, too few to be seen in the middle of
-/// the segment, and elsewhere a glint on a door handle. At sample resolution. Does not look at
-/// WarpedPair::disputed.
-[[nodiscard]] Mask disputedSamples(const WarpedPair& warped, Disputes disputes, const Renderer& renderer);
+[[nodiscard]] inline bool countFor(Disputes disputes, const ItemTraits& traits) {
+  return disputes == Disputes::kOfAllItems || traits.viewDependent;
+}
 
-/// The same, from WarpedPair::disputed where that is all that is asked for.
+/// Those of WarpedPair::disputed that count.
 [[nodiscard]] Mask disputedOf(const WarpedPair& warped, Disputes disputes, const Renderer& renderer);
 
 /// The items of which more than a tenth of what both keyframes fill is disputed.
 [[nodiscard]] ItemSet widelyDisputed(const Mask& disputed, const WarpedPair& warped);
 
-/// Of the disputed samples, those of items of which at most a tenth of what both keyframes fill is disputed.
-/// Where more is, the rest may agree by chance, as the crests of two wave trains do: such items are to be
-/// judged whole.
-[[nodiscard]] Mask disputedHereAndThere(const Mask& disputed, const WarpedPair& warped);
+/// Of the disputed samples, those of other items than the `widely` disputed ones. Of these the rest may agree
+/// by chance, as the crests of two wave trains do: they are to be judged whole.
+[[nodiscard]] Mask disputedHereAndThere(const Mask& disputed, const ItemSet& widely,
+                                        const WarpedPair& warped);
 
 }  // namespace promenade::walkthrough

@@ -1,9 +1,9 @@
 #include "src/walkthrough/inbetween.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "ibr/blend.h"
+#include "src/walkthrough/item_table.h"
 #include "src/walkthrough/retrace_items.h"
 
 namespace promenade::walkthrough {
@@ -50,29 +50,34 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
                       const Mask& disputed, const ItemVerdict& verdict, const Renderer& renderer) {
   Retrace retrace{holes.clone(), Mask(item.size()), {}};
   enum class Trust { kWhole, kWhereBothAgree, kNone };
-  std::unordered_map<ItemId, Trust> trusted;
+  struct Known {
+    Trust trust = Trust::kWhole;
+    bool disputesCount = false;
+  };
+  const auto know = [&](ItemId id) -> Known {
+    const ItemTraits traits = renderer.traits(id);
+    const Trust trust = verdict.failing.contains(id)  ? Trust::kNone
+                        : !traits.viewDependent       ? Trust::kWhole
+                        : verdict.proven.contains(id) ? Trust::kWhereBothAgree
+                                                      : Trust::kNone;
+    return {trust, countFor(verdict.disputes, traits)};
+  };
+  ItemTable<Known> known;
   const auto items = item.pixels();
   const auto sources = source.pixels();
   const auto contradicted = disputed.pixels();
   const auto hole = retrace.holes.pixels();
   const auto selected = retrace.items.pixels();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const ItemId id = items[i];
-    if (id == kNoItem) continue;
-    const auto [entry, isNew] = trusted.try_emplace(id);
-    if (isNew) {
-      entry->second = verdict.failing.contains(id)         ? Trust::kNone
-                      : !renderer.traits(id).viewDependent ? Trust::kWhole
-                      : verdict.proven.contains(id)        ? Trust::kWhereBothAgree
-                                                           : Trust::kNone;
-    }
-    const bool isTraced = entry->second == Trust::kNone || contradicted[i] != 0 ||
-                          (entry->second == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
+    if (items[i] == kNoItem) continue;
+    const auto [trust, disputesCount] = known.of(items[i], know);
+    const bool isTraced = trust == Trust::kNone || (contradicted[i] != 0 && disputesCount) ||
+                          (trust == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
     if (isTraced && hole[i] == 0) selected[i] = 1;
   }
   std::vector<ItemId> list;
-  for (const auto& [id, trust] : trusted) {
-    if (trust == Trust::kNone) list.push_back(id);
+  for (const auto& [id, judged] : known) {
+    if (judged.trust == Trust::kNone) list.push_back(id);
   }
   retrace.traced = ItemSet(std::move(list));
   return retrace;
@@ -80,11 +85,10 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
 
 Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer) {
   Mask shared(item.size());
-  std::unordered_map<ItemId, bool> known;
+  ItemTable<bool> known;
+  const auto isShared = [&](ItemId id) { return !renderer.traits(id).viewDependent; };
   for (std::size_t i = 0; i < item.pixels().size(); ++i) {
-    const auto [entry, isNew] = known.try_emplace(item.pixels()[i]);
-    if (isNew) entry->second = !renderer.traits(entry->first).viewDependent;
-    shared.pixels()[i] = entry->second ? 1 : 0;
+    shared.pixels()[i] = known.of(item.pixels()[i], isShared) ? 1 : 0;
   }
   return shared;
 }
@@ -98,9 +102,6 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.warp);
     WarpedPair& keyframes = sources.keyframes;
-    if (verdict.disputes == Disputes::kOfAllItems) {
-      keyframes.disputed = disputedSamples(keyframes, verdict.disputes, renderer);
-    }
     blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
                             keyframes.disputed, verdict, renderer);

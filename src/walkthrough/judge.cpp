@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "src/core/resolve.h"
+#include "src/walkthrough/item_table.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -118,14 +118,12 @@ ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item
     std::size_t compared = 0;
     std::size_t visible = 0;
   };
-  std::unordered_map<ItemId, Count> counts;
+  ItemTable<Count> counts;
   for (int y = 0; y < item.height(); ++y) {
     for (int x = 0; x < item.width(); ++x) {
       const ItemId id = item(x, y);
       if (id == kNoItem || excluded(x, y) != 0 || unverified(x, y) != 0) continue;
-      const auto [entry, isNew] = counts.try_emplace(id);
-      Count& count = entry->second;
-      if (isNew) count.viewDependent = renderer.traits(id).viewDependent;
+      Count& count = counts.of(id, [&](ItemId) { return Count{renderer.traits(id).viewDependent}; });
       if (!count.viewDependent) continue;
       ++count.compared;
       if (probability(x, y) > aqm::kVisibleProbability) ++count.visible;
@@ -164,8 +162,9 @@ Judged judgeWithout(Disputes disputes, const Segment& segment, const WarpedPair&
                     const VelocityMap& velocity, const Renderer& renderer, const Settings& settings) {
   const int factor = settings.supersample;
   const Mask allDisputed = disputedOf(warped, disputes, renderer);
-  const Mask disputed = disputedHereAndThere(allDisputed, warped);
-  const ItemSet patterned = mattAmong(widelyDisputed(allDisputed, warped), renderer);
+  const ItemSet widely = widelyDisputed(allDisputed, warped);
+  const Mask disputed = disputedHereAndThere(allDisputed, widely, warped);
+  const ItemSet patterned = mattAmong(widely, renderer);
   ComparedPair pair = comparedPair(warped, patterned, disputed);
   Look look = compareAsSeen(pair, segment.middle(), velocity, settings);
 

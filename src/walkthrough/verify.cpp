@@ -40,7 +40,7 @@ WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const 
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
   const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                                        disputedOf(middle.warped, items.disputes, renderer), items, renderer);
+                                        middle.warped.disputed, items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 

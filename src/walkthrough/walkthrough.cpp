@@ -186,7 +186,7 @@ class Walk {
     settings.viewDependent = [this](ItemId item) { return renderer_.traits(item).viewDependent; };
     pair.fromFirst = ibr::gatherWarp(first->frame, pair.target, settings);
     pair.fromLast = ibr::gatherWarp(last->frame, pair.target, settings);
-    pair.disputed = disputedSamples(pair, Disputes::kOfViewDependentItems, renderer_);
+    pair.disputed = disputedSamples(pair);
     return pair;
   }
 

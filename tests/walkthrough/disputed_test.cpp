@@ -33,39 +33,28 @@ WarpedPair panels(Size size, float first, float last) {
 }
 
 TEST(DisputedSamples, DifferByMoreThanATenthOfTheLargerLuminance) {
-  const AnalyticRenderer renderer{Panel::kMirrorLike};
-  EXPECT_THAT(
-      disputedSamples(panels({1, 1}, 1.0f, 0.89f), Disputes::kOfViewDependentItems, renderer).pixels(),
-      ElementsAre(1));
-  EXPECT_THAT(
-      disputedSamples(panels({1, 1}, 0.89f, 1.0f), Disputes::kOfViewDependentItems, renderer).pixels(),
-      ElementsAre(1));
-  EXPECT_THAT(
-      disputedSamples(panels({1, 1}, 1.0f, 0.91f), Disputes::kOfViewDependentItems, renderer).pixels(),
-      ElementsAre(0));
+  EXPECT_THAT(disputedSamples(panels({1, 1}, 1.0f, 0.89f)).pixels(), ElementsAre(1));
+  EXPECT_THAT(disputedSamples(panels({1, 1}, 0.89f, 1.0f)).pixels(), ElementsAre(1));
+  EXPECT_THAT(disputedSamples(panels({1, 1}, 1.0f, 0.91f)).pixels(), ElementsAre(0));
 }
 
-TEST(DisputedSamples, AreFilledByBothKeyframes) {
-  const AnalyticRenderer renderer{Panel::kMirrorLike};
-  WarpedPair warped = panels({3, 1}, 1.0f, 0.5f);
+TEST(DisputedSamples, AreFilledByBothKeyframesAndShowAnItem) {
+  WarpedPair warped = panels({2, 2}, 1.0f, 0.5f);
   warped.fromFirst.validity(0, 0) = ibr::Validity::kOccluded;
   warped.fromLast.validity(1, 0) = ibr::Validity::kOutside;
-  EXPECT_THAT(disputedSamples(warped, Disputes::kOfViewDependentItems, renderer).pixels(),
-              ElementsAre(0, 0, 1));
+  warped.target.item(0, 1) = kNoItem;
+  EXPECT_THAT(disputedSamples(warped).pixels(), ElementsAre(0, 0, 0, 1));
 }
 
-TEST(DisputedSamples, BelongToViewDependentItemsUnlessAllAreAskedFor) {
+TEST(DisputedSamples, CountOfViewDependentItemsOrOfAll) {
   WarpedPair warped = panels({3, 1}, 1.0f, 0.5f);
   warped.target.item(0, 0) = kWall;
-  warped.target.item(1, 0) = kNoItem;
-  EXPECT_THAT(
-      disputedSamples(warped, Disputes::kOfViewDependentItems, AnalyticRenderer{Panel::kMirrorLike}).pixels(),
-      ElementsAre(0, 0, 1));
-  EXPECT_THAT(
-      disputedSamples(warped, Disputes::kOfViewDependentItems, AnalyticRenderer{Panel::kMatt}).pixels(),
-      Each(0));
-  EXPECT_THAT(disputedSamples(warped, Disputes::kOfAllItems, AnalyticRenderer{Panel::kMatt}).pixels(),
-              ElementsAre(1, 0, 1));
+  warped.disputed(0, 0) = warped.disputed(2, 0) = 1;
+  const AnalyticRenderer mirror{Panel::kMirrorLike};
+  const AnalyticRenderer matt{Panel::kMatt};
+  EXPECT_THAT(disputedOf(warped, Disputes::kOfViewDependentItems, mirror).pixels(), ElementsAre(0, 0, 1));
+  EXPECT_THAT(disputedOf(warped, Disputes::kOfViewDependentItems, matt).pixels(), Each(0));
+  EXPECT_THAT(disputedOf(warped, Disputes::kOfAllItems, matt).pixels(), ElementsAre(1, 0, 1));
 }
 
 TEST(DisputedHereAndThere, AreAtMostATenthOfTheirItem) {
@@ -76,7 +65,9 @@ TEST(DisputedHereAndThere, AreAtMostATenthOfTheirItem) {
   disputed(3, 0) = 1;                                          // one of ten of the panel
   disputed(12, 0) = disputed(17, 0) = 1;                       // two of the other item,
   warped.fromLast.validity(29, 0) = ibr::Validity::kOccluded;  // of whose twenty one cannot be compared
-  const Mask few = disputedHereAndThere(warped.disputed, warped);
+  const ItemSet widely = widelyDisputed(disputed, warped);
+  EXPECT_THAT(widely.items(), ElementsAre(kOther));
+  const Mask few = disputedHereAndThere(disputed, widely, warped);
   for (int x = 0; x < 30; ++x) EXPECT_EQ(few(x, 0), x == 3 ? 1 : 0) << x;
 }
 

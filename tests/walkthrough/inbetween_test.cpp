@@ -67,9 +67,18 @@ TEST_F(SelectRetrace, TracesWhatOfAProvenItemTheKeyframesContradictEachOtherIn) 
 TEST_F(SelectRetrace, TracesOnlyWhatIsDisputedOfItemsThatLookTheSameFromEverywhere) {
   const AnalyticRenderer matt{Panel::kMatt};
   disputed(1, 0) = 1;
-  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, disputed, {}, matt);
+  ItemVerdict verdict;
+  verdict.disputes = Disputes::kOfAllItems;
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, disputed, verdict, matt);
   EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 1, 0, 0));
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
+}
+
+TEST_F(SelectRetrace, LeavesWhatIsDisputedOfSuchItemsWhereItDoesNotCount) {
+  const AnalyticRenderer matt{Panel::kMatt};
+  disputed(1, 0) = 1;
+  const Retrace retrace = selectRetrace(item, Mask(4, 1), source, disputed, {}, matt);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 0, 0));
 }
 
 TEST(SharedAmongInbetweens, IsWhatLooksTheSameFromEverywhere) {

@@ -182,6 +182,7 @@ WarpedPair stripedPair(Size size) {
       warped.fromLast.diffuse(x, y) = Rgb(bright ? 0.5f : 0.3f);
     }
   }
+  warped.disputed = disputedSamples(warped);
   return warped;
 }
 
@@ -204,6 +205,7 @@ WarpedPair linedPair(Size size, int end) {
       warped.fromLast.diffuse(x + 1, y) = Rgb(0.9f);
     }
   }
+  warped.disputed = disputedSamples(warped);
   return warped;
 }
 
@@ -249,7 +251,7 @@ TEST(JudgeMiddle, MasksAFailingItemInsteadOfSplitting) {
     }
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
-  warped.disputed = disputedSamples(warped, Disputes::kOfViewDependentItems, renderer);
+  warped.disputed = disputedSamples(warped);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_EQ(judgement.statistics.decision, Decision::kAccept);
@@ -268,7 +270,7 @@ TEST(JudgeMiddle, SaysThatOnlyTheViewDependentLayerOfAnItemFailed) {
     source->diffuse = RadianceMap(size, Rgb(0.1f));
   }
   const AnalyticRenderer renderer{Panel::kMirrorLike};
-  warped.disputed = disputedSamples(warped, Disputes::kOfViewDependentItems, renderer);
+  warped.disputed = disputedSamples(warped);
   const Judgement judgement = judgeMiddle({0, 8, 0}, warped, VelocityMap(), renderer, settingsFor(size));
   EXPECT_THAT(judgement.items.failing.items(), ElementsAre(kPanel));
   EXPECT_THAT(judgement.items.matt.items(), IsEmpty());

@@ -95,7 +95,7 @@ TEST(VerifyMiddle, IsNotMisledByNoise) {
   warped.target = renderer.visibility(path.camera(4, settings.size).supersampled(2));
   warped.fromFirst = ibr::gatherWarp(first, warped.target, {});
   warped.fromLast = ibr::gatherWarp(last, warped.target, {});
-  warped.disputed = disputedSamples(warped, Disputes::kOfViewDependentItems, renderer);
+  warped.disputed = disputedSamples(warped);
   PartSeconds seconds;
   const Verification verification =
       verifyMiddle({4, 0.5, warped, VelocityMap(), {}}, renderer, settings, seconds);
