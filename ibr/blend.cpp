@@ -28,14 +28,18 @@ Rgb mix(const Rgb& previous, const Rgb& next, float weight) {
   return weight == 1.0f ? next : previous + weight * (next - previous);
 }
 
-class DepthAgreement {
+class Depths {
  public:
-  explicit DepthAgreement(const Visibility& target)
+  explicit Depths(const Visibility& target)
       : target_(target),
         rays_(target.camera),
         halfSample_(static_cast<float>(0.5 / target.camera.focalPixels())) {}
 
-  [[nodiscard]] bool operator()(int x, int y, float a, float b) const {
+  /// Of what the source shows there.
+  [[nodiscard]] float depthOf(const Warped& source, int x, int y) const {
+    return source.depth.empty() ? target_.depth(x, y) : source.depth(x, y);
+  }
+  [[nodiscard]] bool agree(int x, int y, float a, float b) const {
     if (a == b) return true;  // both infinite, too
     // The nearer one: infinitely far is never within the tolerance of a finite depth.
     const float nearer = std::min(a, b);
@@ -59,13 +63,13 @@ struct Mean {
 /// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<const BlendSource> sources, const DepthAgreement& sameDepth, double time, int x, int y,
+  Counting(std::span<const BlendSource> sources, const Depths& depths, double time, int x, int y,
            Validity wanted)
-      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y), wanted_(wanted) {
+      : sources_(sources), depths_(depths), time_(time), x_(x), y_(y), wanted_(wanted) {
     for (const BlendSource& source : sources_) {
       if (source.warped->validity(x, y) != wanted) continue;
       if (source.time == time) exact_ = &source;
-      const float depth = source.warped->depth(x, y);
+      const float depth = depths_.depthOf(*source.warped, x, y);
       if (isNone_ || depth < nearest_) nearest_ = depth;
       isNone_ = false;
     }
@@ -103,7 +107,7 @@ class Counting {
     for (const BlendSource& source : sources_) {
       const Warped& warped = *source.warped;
       if (warped.validity(x_, y_) != wanted_) continue;
-      if (!sameDepth_(x_, y_, nearest_, warped.depth(x_, y_))) continue;
+      if (!depths_.agree(x_, y_, nearest_, depths_.depthOf(warped, x_, y_))) continue;
       const double weight = qualityOf(warped) / std::abs(time_ - source.time);
       if (!(weight > 0.0)) continue;
       sum.weight += weight;
@@ -120,7 +124,7 @@ class Counting {
   }
 
   std::span<const BlendSource> sources_;
-  const DepthAgreement& sameDepth_;
+  const Depths& depths_;
   double time_;
   int x_;
   int y_;
@@ -136,7 +140,8 @@ void requireForBlend(bool good, const char* expected) {
 
 bool hasSize(const Warped& warped, Size size) {
   return warped.diffuse.size() == size && warped.viewDependent.size() == size &&
-         warped.depth.size() == size && warped.validity.size() == size && warped.footprint.size() == size;
+         (warped.depth.empty() || warped.depth.size() == size) && warped.validity.size() == size &&
+         warped.footprint.size() == size;
 }
 
 }  // namespace
@@ -153,7 +158,7 @@ Blended blend(std::span<const BlendSource> sources, Visibility target, double ti
                   "a time between those of the sources");
 
   Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)}, Mask(size)};
-  const DepthAgreement sameDepth(target);
+  const Depths depths(target);
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       const auto put = [&](const Mean& mean) {
@@ -161,13 +166,13 @@ Blended blend(std::span<const BlendSource> sources, Visibility target, double ti
         blended.frame.viewDependent(x, y) = mean.viewDependent;
         blended.frame.source(x, y) = mean.source;
       };
-      const Counting fine(sources, sameDepth, time, x, y, Validity::kValid);
+      const Counting fine(sources, depths, time, x, y, Validity::kValid);
       if (!fine.none()) {
         put(fine.mean());
         continue;
       }
       blended.holes(x, y) = 1;
-      const Counting coarse(sources, sameDepth, time, x, y, Validity::kUndersampled);
+      const Counting coarse(sources, depths, time, x, y, Validity::kUndersampled);
       put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown} : coarse.mean());
     }
   });

@@ -1,6 +1,6 @@
 #include <tbb/parallel_for.h>
 
-#include <limits>
+#include <utility>
 
 #include "ibr/depth_raster.h"
 #include "ibr/reprojection.h"
@@ -10,7 +10,7 @@ namespace promenade::ibr {
 
 Warped forwardWarp(const Frame& source, const Camera& target, const WarpSettings& settings) {
   requireValid(source, settings);
-  const Rastered found = raster(SurfacePatches(source, target, settings.creaseDegrees), target);
+  Rastered found = raster(SurfacePatches(source, target, settings.creaseDegrees), target);
   Warped warped = gatherWarp(source, found.visibility, found.covered, settings);
 
   // Nothing is known where nothing fell, but whether the source looked that way at all: as for a point at
@@ -28,6 +28,8 @@ Warped forwardWarp(const Frame& source, const Camera& target, const WarpSettings
       warped.validity(x, y) = inside ? Validity::kOccluded : Validity::kOutside;
     }
   });
+  warped.depth = std::move(found.visibility.depth);
+  warped.item = std::move(found.visibility.item);
   return warped;
 }
 

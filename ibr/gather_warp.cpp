@@ -37,13 +37,11 @@ class Gather {
   Gather(const Frame& source, const Visibility& target, const WarpSettings& settings)
       : source_(source),
         surface_(source, target.camera.pose().eye, settings.creaseDegrees),
-        lookup_(source.visibility, target, settings) {}
+        lookup_(source, target, settings) {}
 
   [[nodiscard]] Fetched operator()(int x, int y) const {
     Fetched fetched{lookup_(x, y), {}};
-    Found& found = fetched.found;
-    const bool isThere = found.validity == Validity::kValid || found.validity == Validity::kUndersampled;
-    if (isThere && !surface_.isTraced(found.nearestX, found.nearestY)) found.validity = Validity::kNotTraced;
+    const Found& found = fetched.found;
     if (found.validity == Validity::kValid || found.validity == Validity::kUndersampled) {
       fetched.radiance = reconstruct(found.at, found.point);
     }
@@ -108,12 +106,11 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
   const Gather gather(source, target, settings);
   Warped warped{RadianceMap(size),
                 RadianceMap(size),
-                target.depth.clone(),
-                target.item.clone(),
                 ValidityMap(size),
-                decltype(Warped::sourcePosition)(size),
                 decltype(Warped::footprint)(size),
-                settings.footprintLimit};
+                settings.footprintLimit,
+                {},
+                {}};
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       Fetched fetched;
@@ -122,7 +119,6 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
       warped.diffuse(x, y) = fetched.radiance.diffuse;
       warped.viewDependent(x, y) = fetched.radiance.viewDependent;
       warped.validity(x, y) = fetched.found.validity;
-      warped.sourcePosition(x, y) = fetched.found.position;
       warped.footprint(x, y) = fetched.found.footprint;
     }
   });

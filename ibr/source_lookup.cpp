@@ -26,10 +26,14 @@ SourceLookup::SourceLookup(const Visibility& source, const Visibility& target, c
   focalRatioSquared_ = static_cast<float>(focalRatio * focalRatio);
 }
 
+SourceLookup::SourceLookup(const Frame& source, const Visibility& target, const WarpSettings& settings)
+    : SourceLookup(source.visibility, target, settings) {
+  traced_ = &source.source;
+}
+
 Found SourceLookup::operator()(int x, int y) const {
   Found found;
   const float depth = target_.depth(x, y);
-  const glm::vec3 normal = target_.normal(x, y);
   const ItemId item = target_.item(x, y);
   const float inverseDepth = item == kNoItem ? 0.0f : 1.0f / depth;
 
@@ -37,8 +41,6 @@ Found SourceLookup::operator()(int x, int y) const {
   const auto shift = reproject_(pixel, inverseDepth);
   if (!(shift.depthRatio > 0.0f)) return found;
   found.position = pixel + shift.pixels;
-  found.footprint = footprint(targetRays_.through(x, y), normal, item, inverseDepth, shift.depthRatio);
-
   const glm::vec2 end(source_.depth.width(), source_.depth.height());
   const glm::vec2 position = found.position;
   if (!(position.x >= 0.0f && position.y >= 0.0f && position.x < end.x && position.y < end.y)) return found;
@@ -49,10 +51,17 @@ Found SourceLookup::operator()(int x, int y) const {
   found.nearestX = found.at.x + (found.at.fraction.x >= 0.5f ? 1 : 0);
   found.nearestY = found.at.y + (found.at.fraction.y >= 0.5f ? 1 : 0);
   if (!surface_.contains(found.nearestX, found.nearestY)) return found;
+  if (traced_ != nullptr && !isTraced((*traced_)(found.nearestX, found.nearestY))) {
+    found.validity = Validity::kNotTraced;
+    return found;
+  }
+  const glm::vec3 ray = targetRays_.through(x, y);
+  const glm::vec3 normal = target_.normal(x, y);
+  found.footprint = footprint(ray, normal, item, inverseDepth, shift.depthRatio);
 
   found.point.item = item;
   if (item != kNoItem) {
-    found.point.fromSourceEye = depth * targetRays_.through(x, y) + eyeShift_;
+    found.point.fromSourceEye = depth * ray + eyeShift_;
     found.point.normal = normal;
     found.point.tolerance = surface_.tolerance(depth * shift.depthRatio);
   }

@@ -16,8 +16,8 @@ namespace promenade::ibr {
 
 /// A target sample in the image of a source.
 struct Found {
-  Validity validity = Validity::kOutside;  ///< as if every sample of the source had been traced
-  glm::vec2 position{std::numeric_limits<float>::quiet_NaN()};  ///< as Warped::sourcePosition
+  Validity validity = Validity::kOutside;
+  glm::vec2 position{std::numeric_limits<float>::quiet_NaN()};  ///< pixels in the source; NaN behind its eye
   float footprint = std::numeric_limits<float>::infinity();     ///< as Warped::footprint
   /// Meaningful only where kValid or kUndersampled: the source samples around, the nearest of them, and the
   /// point as the source sees it.
@@ -30,7 +30,10 @@ struct Found {
 /// Keeps references to both. The cameras may differ in everything, resolution too.
 class SourceLookup {
  public:
+  /// As if every sample of the source had been traced.
   SourceLookup(const Visibility& source, const Visibility& target, const WarpSettings& settings);
+  /// Where the nearest sample of the source was warped itself: kNotTraced.
+  SourceLookup(const Frame& source, const Visibility& target, const WarpSettings& settings);
 
   /// Precondition: sample (x, y) is in the target.
   [[nodiscard]] Found operator()(int x, int y) const;
@@ -43,6 +46,7 @@ class SourceLookup {
 
   const Visibility& source_;
   const Visibility& target_;
+  const SourceMap* traced_ = nullptr;  ///< null: everything was
   SampledSurface surface_;
   Reprojection reproject_;
   RayBasis targetRays_;

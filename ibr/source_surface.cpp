@@ -1,10 +1,12 @@
 #include "ibr/source_surface.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace promenade::ibr {
 namespace {
@@ -46,33 +48,23 @@ SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, do
       traced_(source.source),
       smoothBlocks_(source.visibility.depth.size()) {
   const Size size = smoothBlocks_.size();
-  // A cell is smooth if its 2x2 samples are linked around; a block if its 3x3 cells are.
+  // A cell is smooth if its 2x2 samples are traced and linked around; a block if its 3x3 cells are.
   Mask cells(size);
-  tbb::parallel_for(0, size.height - 1, [&](int y) {
-    const auto out = cells.row(y);
-    SurfacePoint left = pointOf(0, y);
-    SurfacePoint leftBelow = pointOf(0, y + 1);
-    const auto linked = [&](const SurfacePoint& p, const SurfacePoint& q) {
-      if (p.item != q.item) return false;
-      if (p.item == kNoItem) return true;
-      return glm::dot(p.normal, q.normal) >= creaseCosine() &&
-             chordRunsAlong(q.fromSourceEye - p.fromSourceEye, p.normal, q.normal, p.tolerance);
-    };
-    bool tracedLeft = isTraced(0, y) && isTraced(0, y + 1);
-    bool linkedLeft = linked(left, leftBelow);
-    for (int x = 0; x + 1 < size.width; ++x) {
-      const SurfacePoint right = pointOf(x + 1, y);
-      const SurfacePoint rightBelow = pointOf(x + 1, y + 1);
-      const bool tracedRight = isTraced(x + 1, y) && isTraced(x + 1, y + 1);
-      const bool linkedRight = linked(right, rightBelow);
-      out[static_cast<std::size_t>(x)] = tracedLeft && tracedRight && linkedLeft && linkedRight &&
-                                         linked(left, right) && linked(leftBelow, rightBelow);
-      left = right;
-      leftBelow = rightBelow;
-      tracedLeft = tracedRight;
-      linkedLeft = linkedRight;
-    }
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, std::max(0, size.height - 1)), [&](const tbb::blocked_range<int>& rows) {
+        LinkedRow above = linkedRow(rows.begin());
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+          LinkedRow below = linkedRow(y + 1);
+          const auto out = cells.row(y);
+          bool leftIsLinked = linked(above.points[0], below.points[0]);
+          for (std::size_t x = 0; x + 1 < out.size(); ++x) {
+            const bool rightIsLinked = linked(above.points[x + 1], below.points[x + 1]);
+            out[x] = leftIsLinked && rightIsLinked && above.goesOn[x] != 0 && below.goesOn[x] != 0;
+            leftIsLinked = rightIsLinked;
+          }
+          above = std::move(below);
+        }
+      });
   tbb::parallel_for(1, std::max(1, size.height - 2), [&](int y) {
     const auto above = cells.row(y - 1);
     const auto here = cells.row(y);
@@ -83,6 +75,23 @@ SourceSurface::SourceSurface(const Frame& source, const glm::dvec3& otherEye, do
       out[x] = static_cast<std::uint8_t>(column(x - 1) & column(x) & column(x + 1));
     }
   });
+}
+
+SourceSurface::LinkedRow SourceSurface::linkedRow(int y) const {
+  const auto width = static_cast<std::size_t>(smoothBlocks_.width());
+  LinkedRow row{std::vector<std::optional<SurfacePoint>>(width), std::vector<std::uint8_t>(width)};
+  for (std::size_t x = 0; x < width; ++x) {
+    if (isTraced(static_cast<int>(x), y)) row.points[x] = pointOf(static_cast<int>(x), y);
+    if (x > 0) row.goesOn[x - 1] = linked(row.points[x - 1], row.points[x]);
+  }
+  return row;
+}
+
+bool SourceSurface::linked(const std::optional<SurfacePoint>& p, const std::optional<SurfacePoint>& q) const {
+  if (!p || !q || p->item != q->item) return false;
+  if (p->item == kNoItem) return true;
+  return glm::dot(p->normal, q->normal) >= creaseCosine() &&
+         chordRunsAlong(q->fromSourceEye - p->fromSourceEye, p->normal, q->normal, p->tolerance);
 }
 
 }  // namespace promenade::ibr

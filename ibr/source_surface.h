@@ -14,6 +14,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
 
 #include "src/core/frame.h"
 
@@ -89,6 +91,12 @@ class SampledSurface {
   float creaseCosine_;
 };
 
+/// Warped samples are sources of nothing.
+[[nodiscard]] inline bool isTraced(SampleSource source) {
+  return source == SampleSource::kTraced || source == SampleSource::kTracedHole ||
+         source == SampleSource::kTracedItem;
+}
+
 /// The same of a frame of which some samples were ray traced, and only those may be sources. Keeps references
 /// to the frame.
 class SourceSurface : public SampledSurface {
@@ -103,6 +111,14 @@ class SourceSurface : public SampledSurface {
   }
 
  private:
+  struct LinkedRow {
+    std::vector<std::optional<SurfacePoint>> points;  ///< nothing where not traced
+    std::vector<std::uint8_t> goesOn;                 ///< whether a sample and the next are linked
+  };
+  [[nodiscard]] LinkedRow linkedRow(int y) const;
+  /// Both traced, and on one smooth surface.
+  [[nodiscard]] bool linked(const std::optional<SurfacePoint>& p, const std::optional<SurfacePoint>& q) const;
+
   const SourceMap& traced_;
   Mask smoothBlocks_;
 };
@@ -110,9 +126,7 @@ class SourceSurface : public SampledSurface {
 // Inline: asked several times a sample.
 
 inline bool SourceSurface::isTraced(int x, int y) const {
-  const SampleSource source = traced_(x, y);
-  return source == SampleSource::kTraced || source == SampleSource::kTracedHole ||
-         source == SampleSource::kTracedItem;
+  return ibr::isTraced(traced_(x, y));
 }
 
 inline bool SampledSurface::agrees(int x, int y, const SurfacePoint& point) const {

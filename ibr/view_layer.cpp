@@ -68,7 +68,7 @@ class Interpolation {
       : frame_(frame),
         known_(known),
         settings_(settings),
-        surface_(frame, frame.visibility.camera.pose().eye, settings.creaseDegrees) {}
+        surface_(frame.visibility, frame.visibility.camera.pose().eye, settings.creaseDegrees) {}
 
   [[nodiscard]] std::optional<Rgb> at(int x, int y) const {
     const SurfacePoint point = surface_.pointOf(x, y);
@@ -101,7 +101,7 @@ class Interpolation {
   const Frame& frame_;
   const Mask& known_;
   const ViewLayerSettings& settings_;
-  SourceSurface surface_;
+  SampledSurface surface_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ enum class Validity : std::uint8_t {
   kOutside,       ///< the source does not cover this direction
   kOccluded,      ///< the source sees another surface there, or this one from behind
   kUndersampled,  ///< the source sampled the surface too coarsely (footprint above the limit)
-  kNotTraced,     ///< the source has this surface there, but warped itself: a warped sample is never a source
+  kNotTraced,     ///< what the source has there it warped itself: a warped sample is never a source
   kNotWanted,     ///< outside the mask of samples asked for
 };
 using ValidityMap = Map<struct ValidityTag, Validity>;
@@ -25,16 +25,15 @@ using ValidityMap = Map<struct ValidityTag, Validity>;
 struct Warped {
   RadianceMap diffuse;        ///< 0 where neither valid nor undersampled
   RadianceMap viewDependent;  ///< 0 where neither valid nor undersampled
-  DepthMap depth;             ///< of the target surface
-  ItemBuffer item;            ///< of the target surface
   ValidityMap validity;       ///< radiance is meaningful where kValid; where kUndersampled it is blurred
-  /// Pixels in the source; NaN behind its eye.
-  Map<struct SourcePositionTag, glm::vec2> sourcePosition;
   /// Surface area of a source sample over that of the target sample (for background: solid angles). 1 for
-  /// equal cameras; +inf where the source cannot see the surface from its front.
+  /// equal cameras; +inf where the source cannot see the surface from its front, or traced nothing there.
   Map<struct FootprintTag, float> footprint;
-  double footprintLimit =
-      2.5;  ///< of the settings it was made with: as a footprint nears it, blend() fades it out
+  /// Of the settings it was made with: as a footprint nears it, blend() fades it out.
+  double footprintLimit = 2.5;
+  // What forwardWarp() found that the target sees. Empty: what the target is known to see.
+  DepthMap depth;
+  ItemBuffer item;
 };
 
 struct WarpSettings {

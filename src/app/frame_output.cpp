@@ -1,8 +1,9 @@
 #include "src/app/frame_output.h"
 
-#include <cstdio>
+#include <memory>
 #include <utility>
 
+#include "src/app/formatted.h"
 #include "src/io/exr_maps.h"
 #include "src/walkthrough/statistics.h"
 
@@ -32,17 +33,34 @@ FrameFiles::FrameFiles(const OutputFolder& folder, const paths::CameraPath& path
                        std::string jobHash)
     : folder_(folder), path_(path), scene_(std::move(scene)), jobHash_(std::move(jobHash)) {}
 
-void FrameFiles::write(walkthrough::FinishedFrame&& frame) {
-  const Stopwatch watch(seconds_);
-  const std::filesystem::path file = folder_.frame(frame.index);
-  io::writeFrame(file, fileOf(std::move(frame), path_, scene_, jobHash_));
+FrameFiles::~FrameFiles() {
+  try {
+    writing_.wait();
+  } catch (...) {
+    // Not asked for by finish(): another error is on its way.
+  }
 }
 
-void FrameFiles::writeMiddle(const walkthrough::JudgedMiddle& middle) {
+void FrameFiles::write(walkthrough::FinishedFrame&& frame) {
+  finish();
+  // A task is called as a constant.
+  writing_.run([this, held = std::make_shared<walkthrough::FinishedFrame>(std::move(frame))] {
+    const std::filesystem::path file = folder_.frame(held->index);
+    io::writeFrame(file, fileOf(std::move(*held), path_, scene_, jobHash_));
+  });
+}
+
+void FrameFiles::writeMiddle(walkthrough::JudgedMiddle&& middle) {
+  finish();
+  writing_.run([this, held = std::make_shared<const walkthrough::JudgedMiddle>(std::move(middle))] {
+    const std::string name = formatted("%06d-%06d.exr", held->segment.first, held->segment.last);
+    io::writeMaps(folder_.map(name), {held->metric.jnd, held->metric.pooledJnd, held->metric.probability});
+  });
+}
+
+void FrameFiles::finish() {
   const Stopwatch watch(seconds_);
-  char name[64];
-  std::snprintf(name, sizeof(name), "%06d-%06d.exr", middle.segment.first, middle.segment.last);
-  io::writeMaps(folder_.map(name), {middle.metric.jnd, middle.metric.pooledJnd, middle.metric.probability});
+  writing_.wait();
 }
 
 }  // namespace promenade::app

@@ -1,12 +1,14 @@
 #include "src/app/machine.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
+#include <limits>
 
+#include "src/app/formatted.h"
 #include "src/core/errors.h"
 
 namespace promenade::app {
@@ -27,10 +29,14 @@ double peakResidentBytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0;
 }
 
+void keepFreedMemory() {
+  // Larger maps than 32 MiB, the most that the C library takes here, go back to the system as before.
+  (void)mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  (void)mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
+
 std::string gigabytes(double bytes) {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%.1f GB", bytes / 1e9);
-  return text;
+  return formatted("%.1f GB", bytes / 1e9);
 }
 
 void requireMemory(double neededBytes, double availableBytes) {

@@ -8,6 +8,7 @@
 #include "src/app/displays.h"
 #include "src/app/exit_status.h"
 #include "src/app/interrupt.h"
+#include "src/app/machine.h"
 #include "src/app/options.h"
 #include "src/app/printable.h"
 #include "src/app/verbs.h"
@@ -73,6 +74,7 @@ int main(int argc, char** argv) {
   using promenade::app::failed;
   ExitStatus status = ExitStatus::kDone;
   try {
+    promenade::app::keepFreedMemory();
     promenade::app::installInterruptHandlers();
     status = promenade::app::run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const promenade::InputError& error) {

@@ -24,9 +24,10 @@ void renderPart(const Segment& part, const LoadedJob& job, const walkthrough::Se
   outputs.frame = [&](walkthrough::FinishedFrame&& frame) { files.write(std::move(frame)); };
   if (job.options.maps) {
     folder.makeMapsFolder();
-    outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { files.writeMiddle(middle); };
+    outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { files.writeMiddle(std::move(middle)); };
   }
   outputs.part = [&](const Segment&, const walkthrough::Statistics& statistics) {
+    files.finish();
     records.write(part, {statistics, secondsSince(start)});
   };
   outputs.progress = console.progress();

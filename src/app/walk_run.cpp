@@ -43,7 +43,7 @@ bool hasFrames(const OutputFolder& folder, walkthrough::FrameRange frames) {
 }
 
 // Renders the missing parts, with an estimate as soon as a keyframe is measured, and the time that is left.
-// Each becomes a record.
+// Each becomes a record when `outputs.part` has returned.
 void renderMissing(const LoadedJob& job, const Renderer& renderer, const walkthrough::Settings& settings,
                    walkthrough::Outputs outputs, const PartRecords& records, Progression& progression,
                    Console& console) {
@@ -66,7 +66,9 @@ void renderMissing(const LoadedJob& job, const Renderer& renderer, const walkthr
   };
   const auto start = Clock::now();
   auto partStart = start;
-  outputs.part = [&](const Segment& part, const walkthrough::Statistics& statistics) {
+  outputs.part = [&, finishFrames = std::move(outputs.part)](const Segment& part,
+                                                             const walkthrough::Statistics& statistics) {
+    finishFrames(part, statistics);
     PartRecord record{statistics, secondsSince(partStart)};
     partStart = Clock::now();
     records.write(part, record);
@@ -125,9 +127,10 @@ ExitStatus runWalk(const LoadedJob& job, const std::optional<walkthrough::Plan>&
       video.add(frame.index, frame.radiance);
       files.write(std::move(frame));
     };
+    outputs.part = [&](const Segment&, const walkthrough::Statistics&) { files.finish(); };
     if (options.maps) {
       folder.makeMapsFolder();
-      outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { files.writeMiddle(middle); };
+      outputs.middle = [&](walkthrough::JudgedMiddle&& middle) { files.writeMiddle(std::move(middle)); };
     }
     if (!progression.done.empty()) {
       console.info("going on at frame " + std::to_string(progression.missing.front().first));

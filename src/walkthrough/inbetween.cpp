@@ -98,14 +98,17 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
                      PartSeconds& seconds) {
   ibr::Blended blended;
   Retrace retrace;
+  Mask disputed;
   std::uint64_t reused = 0;
   {
     const Stopwatch watch(seconds.warp);
-    WarpedPair& keyframes = sources.keyframes;
-    blended = ibr::blend(inTheOrderOfTime(sources, segment), std::move(keyframes.target), double(frameIndex));
-    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                            keyframes.disputed, verdict, renderer);
-    reused = countReused(keyframes, blended.holes);
+    InbetweenSources used = std::move(sources);  // given back before anything is traced
+    blended =
+        ibr::blend(inTheOrderOfTime(used, segment), std::move(used.keyframes.target), double(frameIndex));
+    disputed = std::move(used.keyframes.disputed);
+    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
+                            verdict, renderer);
+    reused = countReused(used.keyframes, blended.holes);
   }
   RetracedItems items;
   {
@@ -114,7 +117,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, supersample, frameIndex,
                          renderer);
   }
-  const std::uint64_t disputed = countDisputed(sources.keyframes.disputed, items, retrace.traced);
+  const std::uint64_t disputedTraced = countDisputed(disputed, items, retrace.traced);
   Inbetween inbetween{std::move(items.frame), {}};
   FrameStatistics& statistics = inbetween.statistics;
   statistics.index = frameIndex;
@@ -122,7 +125,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   statistics.samples = inbetween.frame.diffuse.size().area();
   statistics.holes = countSelected(retrace.holes);
   statistics.itemSamples = countSelected(items.traced);
-  statistics.disputed = disputed;
+  statistics.disputed = disputedTraced;
   statistics.layered = countSelected(retrace.items) - statistics.itemSamples;
   const auto from = inbetween.frame.source.pixels();
   const auto samplesFrom = [&](SampleSource source) {

@@ -1,5 +1,6 @@
 #include "src/walkthrough/retrace_items.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -49,6 +50,7 @@ RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, 
                            int frameIndex, const Renderer& renderer) {
   const Size size = items.size();
   RetracedItems retraced{std::move(frame), Mask(size)};
+  if (std::ranges::none_of(items.pixels(), [](std::uint8_t v) { return v != 0; })) return retraced;
   Mask known(size);
   // Of what has no view-dependent layer to speak of it is the diffuse one that is wrong.
   const auto isTracedFirst = [&](int x, int y) {

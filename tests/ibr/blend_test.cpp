@@ -28,11 +28,11 @@ Warped constant(Size size, float radiance, float depth, float footprint,
                 Validity validity = Validity::kValid) {
   return {RadianceMap(size, Rgb(radiance)),
           RadianceMap(size, Rgb(2.0f * radiance)),
-          DepthMap(size, depth),
-          ItemBuffer(size, 1U),
           ValidityMap(size, validity),
-          decltype(Warped::sourcePosition)(size),
-          decltype(Warped::footprint)(size, footprint)};
+          decltype(Warped::footprint)(size, footprint),
+          WarpSettings{}.footprintLimit,
+          DepthMap(size, depth),
+          ItemBuffer(size, 1U)};
 }
 
 float weightOfNext(float previousFootprint, float nextFootprint, double t) {

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <numbers>
 
+#include "ibr/source_lookup.h"
 #include "ibr/warp.h"
 #include "tests/ibr/analytic_scene.h"
 #include "tests/ibr/maps.h"
@@ -142,11 +143,12 @@ int answeredAcrossAFold(double degrees, const WarpSettings& settings) {
   // Turned about the line of sight: the fold crosses many samples, at all places in them.
   const Visibility target = scene.visibility(turnedCamera({0.01, 0.01, 0}, 0, 0, 0.3, size, 60.0));
   const Warped warped = gatherWarp(source, target, settings);
+  const SourceLookup lookup(source, target, settings);
   int across = 0;
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       if (warped.validity(x, y) != Validity::kValid) continue;
-      const glm::ivec2 nearest(glm::floor(warped.sourcePosition(x, y)));
+      const glm::ivec2 nearest(glm::floor(lookup(x, y).position));
       if (source.visibility.normal(nearest.x, nearest.y) != target.normal(x, y)) ++across;
     }
   }

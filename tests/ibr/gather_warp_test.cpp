@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "ibr/source_lookup.h"
 #include "ibr/warp.h"
 #include "src/core/errors.h"
 #include "tests/ibr/analytic_scene.h"
@@ -36,14 +37,13 @@ TEST(GatherWarp, ReturnsTheSourceBitForBitAtTheSameCamera) {
     source.diffuse(0, 0) = Rgb(-0.0f, std::numeric_limits<float>::denorm_min(), 3e38f);
     source.viewDependent(size.width - 1, size.height - 1) =
         Rgb(1e-38f, 1e20f, std::numeric_limits<float>::infinity());
-    const Warped warped = gatherWarp(source, scene.visibility(camera), {});
+    const Visibility target = scene.visibility(camera);
+    const Warped warped = gatherWarp(source, target, {});
     EXPECT_EQ(count(warped.validity, Validity::kValid), size.width * size.height);
     EXPECT_TRUE(sameBits(warped.diffuse, source.diffuse));
     EXPECT_TRUE(sameBits(warped.viewDependent, source.viewDependent));
-    EXPECT_TRUE(sameBits(warped.depth, source.visibility.depth));
-    EXPECT_TRUE(sameBits(warped.item, source.visibility.item));
     for (const float f : warped.footprint.pixels()) EXPECT_EQ(f, 1.0f);
-    EXPECT_EQ(warped.sourcePosition(size.width - 1, 0),
+    EXPECT_EQ(SourceLookup(source, target, {})(size.width - 1, 0).position,
               glm::vec2(static_cast<float>(size.width) - 0.5f, 0.5f));
   }
 }
@@ -143,13 +143,21 @@ TEST(GatherWarp, MeasuresTheFootprintAsAnAreaOnTheSurface) {
     const glm::dvec3 v = onWall(at + glm::dvec2(0, h)) - onWall(at - glm::dvec2(0, h));
     return glm::length(glm::cross(u, v)) / (4.0 * h * h);
   };
-  for (int y = 0; y < size.height; y += 7) {
-    for (int x = 0; x < size.width; x += 5) {
-      const double expected = areaOnWall(source.visibility.camera, glm::dvec2(warped.sourcePosition(x, y))) /
+  const SourceLookup lookup(source, target, {kUnlimited});
+  int measured = 0;
+  for (int y = 0; y < size.height; y += 2) {
+    for (int x = 0; x < size.width; x += 2) {
+      if (warped.validity(x, y) == Validity::kOutside) {
+        EXPECT_EQ(warped.footprint(x, y), kUnlimited);
+        continue;
+      }
+      ++measured;
+      const double expected = areaOnWall(source.visibility.camera, glm::dvec2(lookup(x, y).position)) /
                               areaOnWall(to, {x + 0.5, y + 0.5});
       EXPECT_NEAR(warped.footprint(x, y), expected, 1e-4 * expected);
     }
   }
+  EXPECT_GT(measured, 20);
 }
 
 TEST(GatherWarp, MatchesTheBackgroundByDirection) {
@@ -178,10 +186,11 @@ TEST(GatherWarp, FindsNothingBehindTheSource) {
   const AnalyticScene scene = room();
   const Size size{17, 13};
   const Frame source = scene.render(cameraAt({0, 0, 0}, size, 15.0));
-  const Warped warped =
-      gatherWarp(source, scene.visibility(turnedCamera({0, 0, 0}, 3.14159265, 0, 0, size, 15.0)), {});
+  const Visibility target = scene.visibility(turnedCamera({0, 0, 0}, 3.14159265, 0, 0, size, 15.0));
+  const Warped warped = gatherWarp(source, target, {});
   EXPECT_EQ(count(warped.validity, Validity::kOutside), 17 * 13);
-  for (const glm::vec2 p : warped.sourcePosition.pixels()) EXPECT_TRUE(std::isnan(p.x));
+  const SourceLookup lookup(source, target, {});
+  for (int x = 0; x < size.width; ++x) EXPECT_TRUE(std::isnan(lookup(x, 6).position.x)) << x;
 }
 
 TEST(GatherWarp, UsesOnlyRayTracedSamples) {
@@ -201,8 +210,10 @@ TEST(GatherWarp, UsesOnlyRayTracedSamples) {
   }
   const Warped some = gatherWarp(source, target, {});
   EXPECT_GT(count(some.validity, Validity::kValid), 40);
+  const SourceLookup lookup(source, target, {});
   for (std::size_t i = 0; i < size.area(); ++i) {
-    const glm::vec2 p = some.sourcePosition.pixels()[i];
+    const auto sample = static_cast<int>(i);
+    const glm::vec2 p = lookup(sample % size.width, sample / size.width).position;
     const bool traced = p.x >= 8 && p.x < 16 && p.y >= 8 && p.y < 16;
     if (all.validity.pixels()[i] == Validity::kValid) {
       EXPECT_EQ(some.validity.pixels()[i], traced ? Validity::kValid : Validity::kNotTraced);
