@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "ibr/source_surface.h"
 #include "src/core/errors.h"
@@ -28,18 +29,14 @@ Rgb mix(const Rgb& previous, const Rgb& next, float weight) {
   return weight == 1.0f ? next : previous + weight * (next - previous);
 }
 
-class Depths {
+class DepthAgreement {
  public:
-  explicit Depths(const Visibility& target)
+  explicit DepthAgreement(const Visibility& target)
       : target_(target),
         rays_(target.camera),
         halfSample_(static_cast<float>(0.5 / target.camera.focalPixels())) {}
 
-  /// Of what the source shows there.
-  [[nodiscard]] float depthOf(const Warped& source, int x, int y) const {
-    return source.depth.empty() ? target_.depth(x, y) : source.depth(x, y);
-  }
-  [[nodiscard]] bool agree(int x, int y, float a, float b) const {
+  [[nodiscard]] bool operator()(int x, int y, float a, float b) const {
     if (a == b) return true;  // both infinite, too
     // The nearer one: infinitely far is never within the tolerance of a finite depth.
     const float nearer = std::min(a, b);
@@ -60,17 +57,35 @@ struct Mean {
   SampleSource source = SampleSource::kBlended;
 };
 
+/// What one source shows at one sample.
+struct Shown {
+  WarpedSample sample;
+  float depth = 0.0f;
+  double footprintLimit = 0.0;
+  double time = 0.0;
+};
+
+Shown shownBy(const BlendSource& source, const Visibility& target, int x, int y) {
+  if (const auto* gather = std::get_if<const SampleGather*>(&source.warped)) {
+    return {(**gather)(x, y), target.depth(x, y), (*gather)->footprintLimit(), source.time};
+  }
+  const Warped& warped = *std::get<const Warped*>(source.warped);
+  return {{warped.validity(x, y), warped.footprint(x, y), warped.diffuse(x, y), warped.viewDependent(x, y)},
+          warped.depth.empty() ? target.depth(x, y) : warped.depth(x, y),
+          warped.footprintLimit,
+          source.time};
+}
+
 /// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<const BlendSource> sources, const Depths& depths, double time, int x, int y,
+  Counting(std::span<const Shown> sources, const DepthAgreement& sameDepth, double time, int x, int y,
            Validity wanted)
-      : sources_(sources), depths_(depths), time_(time), x_(x), y_(y), wanted_(wanted) {
-    for (const BlendSource& source : sources_) {
-      if (source.warped->validity(x, y) != wanted) continue;
+      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y), wanted_(wanted) {
+    for (const Shown& source : sources_) {
+      if (source.sample.validity != wanted) continue;
       if (source.time == time) exact_ = &source;
-      const float depth = depths_.depthOf(*source.warped, x, y);
-      if (isNone_ || depth < nearest_) nearest_ = depth;
+      if (isNone_ || source.depth < nearest_) nearest_ = source.depth;
       isNone_ = false;
     }
   }
@@ -79,19 +94,18 @@ class Counting {
   /// Precondition: not none().
   [[nodiscard]] Mean mean() const {
     if (exact_ != nullptr) {
-      const Warped& warped = *exact_->warped;
       return {
-          warped.diffuse(x_, y_), warped.viewDependent(x_, y_),
+          exact_->sample.diffuse, exact_->sample.viewDependent,
           exact_ == &sources_.front() ? SampleSource::kWarpedFromPrevious : SampleSource::kWarpedFromNext};
     }
-    const auto qualityOf = [&](const Warped& warped) {
-      const float footprint = warped.footprint(x_, y_);
-      return wanted_ == Validity::kValid ? quality(footprint, warped.footprintLimit)
+    const auto qualityOf = [&](const Shown& source) {
+      const float footprint = source.sample.footprint;
+      return wanted_ == Validity::kValid ? quality(footprint, source.footprintLimit)
                                          : 1.0 / static_cast<double>(footprint);
     };
     const auto [mean, weight] = weighted(qualityOf);
     // All at their limit: none is better.
-    return weight > 0.0 ? mean : weighted([](const Warped&) { return 1.0; }).mean;
+    return weight > 0.0 ? mean : weighted([](const Shown&) { return 1.0; }).mean;
   }
 
  private:
@@ -104,18 +118,17 @@ class Counting {
     Weighted sum;
     bool earlier = false;
     bool later = false;
-    for (const BlendSource& source : sources_) {
-      const Warped& warped = *source.warped;
-      if (warped.validity(x_, y_) != wanted_) continue;
-      if (!depths_.agree(x_, y_, nearest_, depths_.depthOf(warped, x_, y_))) continue;
-      const double weight = qualityOf(warped) / std::abs(time_ - source.time);
+    for (const Shown& source : sources_) {
+      if (source.sample.validity != wanted_) continue;
+      if (!sameDepth_(x_, y_, nearest_, source.depth)) continue;
+      const double weight = qualityOf(source) / std::abs(time_ - source.time);
       if (!(weight > 0.0)) continue;
       sum.weight += weight;
       (source.time < time_ ? earlier : later) = true;
       // One after the other: sources that agree to the bit give that value to the bit.
       const auto part = static_cast<float>(weight / sum.weight);
-      sum.mean.diffuse = mix(sum.mean.diffuse, warped.diffuse(x_, y_), part);
-      sum.mean.viewDependent = mix(sum.mean.viewDependent, warped.viewDependent(x_, y_), part);
+      sum.mean.diffuse = mix(sum.mean.diffuse, source.sample.diffuse, part);
+      sum.mean.viewDependent = mix(sum.mean.viewDependent, source.sample.viewDependent, part);
     }
     sum.mean.source = earlier && later ? SampleSource::kBlended
                       : earlier        ? SampleSource::kWarpedFromPrevious
@@ -123,14 +136,14 @@ class Counting {
     return sum;
   }
 
-  std::span<const BlendSource> sources_;
-  const Depths& depths_;
+  std::span<const Shown> sources_;
+  const DepthAgreement& sameDepth_;
   double time_;
   int x_;
   int y_;
   Validity wanted_;
-  const BlendSource* exact_ = nullptr;  ///< that of this very time
-  float nearest_ = 0.0f;                ///< depth
+  const Shown* exact_ = nullptr;  ///< that of this very time
+  float nearest_ = 0.0f;          ///< depth
   bool isNone_ = true;
 };
 
@@ -138,7 +151,9 @@ void requireForBlend(bool good, const char* expected) {
   if (!good) throw InputError("blend", std::string("expected ") + expected);
 }
 
-bool hasSize(const Warped& warped, Size size) {
+bool hasSize(const BlendSource& source, Size size) {
+  if (const auto* gather = std::get_if<const SampleGather*>(&source.warped)) return (*gather)->size() == size;
+  const Warped& warped = *std::get<const Warped*>(source.warped);
   return warped.diffuse.size() == size && warped.viewDependent.size() == size &&
          (warped.depth.empty() || warped.depth.size() == size) && warped.validity.size() == size &&
          warped.footprint.size() == size;
@@ -146,33 +161,35 @@ bool hasSize(const Warped& warped, Size size) {
 
 }  // namespace
 
-Blended blend(std::span<const BlendSource> sources, Visibility target, double time) {
+Blended blend(std::span<const BlendSource> sources, Visibility&& target, double time) {
   const Size size = target.camera.size();
   requireForBlend(!sources.empty() && target.normal.size() == size,
                   "a source and a target with all its maps");
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    requireForBlend(hasSize(*sources[i].warped, size), "warped frames of the target's size");
+    requireForBlend(hasSize(sources[i], size), "warped frames of the target's size");
     requireForBlend(i == 0 || sources[i - 1].time < sources[i].time, "sources in the order of time");
   }
   requireForBlend(time >= sources.front().time && time <= sources.back().time,
                   "a time between those of the sources");
 
   Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)}, Mask(size)};
-  const Depths depths(target);
+  const DepthAgreement sameDepth(target);
   tbb::parallel_for(0, size.height, [&](int y) {
+    std::vector<Shown> shown(sources.size());
     for (int x = 0; x < size.width; ++x) {
+      for (std::size_t i = 0; i < sources.size(); ++i) shown[i] = shownBy(sources[i], target, x, y);
       const auto put = [&](const Mean& mean) {
         blended.frame.diffuse(x, y) = mean.diffuse;
         blended.frame.viewDependent(x, y) = mean.viewDependent;
         blended.frame.source(x, y) = mean.source;
       };
-      const Counting fine(sources, depths, time, x, y, Validity::kValid);
+      const Counting fine(shown, sameDepth, time, x, y, Validity::kValid);
       if (!fine.none()) {
         put(fine.mean());
         continue;
       }
       blended.holes(x, y) = 1;
-      const Counting coarse(sources, depths, time, x, y, Validity::kUndersampled);
+      const Counting coarse(shown, sameDepth, time, x, y, Validity::kUndersampled);
       put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown} : coarse.mean());
     }
   });

@@ -2,6 +2,7 @@
 // Depth-correct blending of warped sources, and the holes that are left.
 
 #include <span>
+#include <variant>
 
 #include "ibr/warp.h"
 
@@ -12,9 +13,10 @@ struct Blended {
   Mask holes;   ///< no valid source: to be ray traced
 };
 
-/// A warped frame and when its samples were ray traced, in any unit of time.
+/// A frame warped to the target, as maps or sample by sample, and when its samples were ray traced, in any
+/// unit of time.
 struct BlendSource {
-  const Warped* warped = nullptr;
+  std::variant<const Warped*, const SampleGather*> warped;
   double time = 0.0;
 };
 
@@ -29,7 +31,8 @@ struct BlendSource {
 /// undersampled, the hole has what these show, weighted by 1/footprint over distance in time: blurred, for
 /// those who cannot trace it. Throws InputError if there is no source, if the maps differ in size, or if
 /// times do not increase or `time` is not between the first and the last of them.
-[[nodiscard]] Blended blend(std::span<const BlendSource> sources, Visibility target, double time);
+/// `target` may be what a source refers to: it becomes part of the result when all is blended.
+[[nodiscard]] Blended blend(std::span<const BlendSource> sources, Visibility&& target, double time);
 
 /// The same for two keyframes: `t` in [0, 1], 0 at the frame of `previous`, 1 at that of `next`.
 [[nodiscard]] Blended blend(const Warped& previous, const Warped& next, Visibility target, double t);

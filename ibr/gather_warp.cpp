@@ -26,27 +26,31 @@ void requireSizes(const Visibility& visibility, const char* what) {
   requireSize(visibility.item.size(), size, what);
 }
 
-/// One target sample, fetched.
-struct Fetched {
-  Found found;
-  LayeredRadiance radiance;
-};
+}  // namespace
 
-class Gather {
+class SampleGather::Gather {
  public:
-  Gather(const Frame& source, const Visibility& target, const WarpSettings& settings)
+  Gather(const Frame& source, const Visibility& target, const Mask& wanted, const WarpSettings& settings)
       : source_(source),
+        wanted_(wanted),
+        targetSize_(target.camera.size()),
+        footprintLimit_(settings.footprintLimit),
         surface_(source, target.camera.pose().eye, settings.creaseDegrees),
         lookup_(source, target, settings) {}
 
-  [[nodiscard]] Fetched operator()(int x, int y) const {
-    Fetched fetched{lookup_(x, y), {}};
-    const Found& found = fetched.found;
+  [[nodiscard]] WarpedSample operator()(int x, int y) const {
+    if (!wanted_.empty() && wanted_(x, y) == 0) return {};
+    const Found found = lookup_(x, y);
+    WarpedSample sample{found.validity, found.footprint};
     if (found.validity == Validity::kValid || found.validity == Validity::kUndersampled) {
-      fetched.radiance = reconstruct(found.at, found.point);
+      const LayeredRadiance radiance = reconstruct(found.at, found.point);
+      sample.diffuse = radiance.diffuse;
+      sample.viewDependent = radiance.viewDependent;
     }
-    return fetched;
+    return sample;
   }
+  [[nodiscard]] Size size() const { return targetSize_; }
+  [[nodiscard]] double footprintLimit() const { return footprintLimit_; }
 
  private:
   /// Precondition: the nearest sample agrees.
@@ -73,11 +77,36 @@ class Gather {
   }
 
   const Frame& source_;
+  const Mask& wanted_;
+  Size targetSize_;
+  double footprintLimit_;
   SourceSurface surface_;
   SourceLookup lookup_;
 };
 
-}  // namespace
+SampleGather::SampleGather(const Frame& source, const Visibility& target, const Mask& wanted,
+                           const WarpSettings& settings) {
+  requireSizes(target, "target");
+  requireValid(source, settings);
+  if (!wanted.empty()) requireSize(wanted.size(), target.camera.size(), "wanted samples");
+  gather_ = std::make_unique<const Gather>(source, target, wanted, settings);
+}
+
+SampleGather::SampleGather(SampleGather&&) noexcept = default;
+SampleGather& SampleGather::operator=(SampleGather&&) noexcept = default;
+SampleGather::~SampleGather() = default;
+
+WarpedSample SampleGather::operator()(int x, int y) const {
+  return (*gather_)(x, y);
+}
+
+Size SampleGather::size() const {
+  return gather_->size();
+}
+
+double SampleGather::footprintLimit() const {
+  return gather_->footprintLimit();
+}
 
 void requireValid(const Frame& source, const WarpSettings& settings) {
   const Size size = source.visibility.camera.size();
@@ -98,12 +127,8 @@ void requireValid(const Frame& source, const WarpSettings& settings) {
 
 Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
                   const WarpSettings& settings) {
+  const SampleGather gather(source, target, wanted, settings);
   const Size size = target.camera.size();
-  requireSizes(target, "target");
-  requireValid(source, settings);
-  if (!wanted.empty()) requireSize(wanted.size(), size, "wanted samples");
-
-  const Gather gather(source, target, settings);
   Warped warped{RadianceMap(size),
                 RadianceMap(size),
                 ValidityMap(size),
@@ -113,13 +138,11 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
                 {}};
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
-      Fetched fetched;
-      fetched.found.validity = Validity::kNotWanted;
-      if (wanted.empty() || wanted(x, y) != 0) fetched = gather(x, y);
-      warped.diffuse(x, y) = fetched.radiance.diffuse;
-      warped.viewDependent(x, y) = fetched.radiance.viewDependent;
-      warped.validity(x, y) = fetched.found.validity;
-      warped.footprint(x, y) = fetched.found.footprint;
+      const WarpedSample sample = gather(x, y);
+      warped.diffuse(x, y) = sample.diffuse;
+      warped.viewDependent(x, y) = sample.viewDependent;
+      warped.validity(x, y) = sample.validity;
+      warped.footprint(x, y) = sample.footprint;
     }
   });
   return warped;

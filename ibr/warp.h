@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <memory>
 
 #include "ibr/crease.h"
 #include "src/core/frame.h"
@@ -57,6 +59,34 @@ struct WarpSettings {
 /// The same for the samples that `wanted` (the size of the target) selects; the rest is kNotWanted.
 [[nodiscard]] Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wanted,
                                 const WarpSettings& settings);
+
+/// What a source shows at one sample of the target: what gatherWarp() puts into its maps.
+struct WarpedSample {
+  Validity validity = Validity::kNotWanted;
+  float footprint = std::numeric_limits<float>::infinity();
+  Rgb diffuse{0.0f};
+  Rgb viewDependent{0.0f};
+};
+
+/// gatherWarp() sample by sample, for a source that answers few of them: no maps are filled. Keeps references
+/// to `source`, `target` and `wanted`. Throws InputError as gatherWarp() does.
+class SampleGather {
+ public:
+  SampleGather(const Frame& source, const Visibility& target, const Mask& wanted,
+               const WarpSettings& settings);
+  SampleGather(SampleGather&&) noexcept;
+  SampleGather& operator=(SampleGather&&) noexcept;
+  ~SampleGather();
+
+  /// Precondition: sample (x, y) is in the target.
+  [[nodiscard]] WarpedSample operator()(int x, int y) const;
+  [[nodiscard]] Size size() const;
+  [[nodiscard]] double footprintLimit() const;
+
+ private:
+  class Gather;
+  std::unique_ptr<const Gather> gather_;
+};
 
 /// Needs nothing but the frame: its samples are joined to surfaces, which are drawn into the target's image
 /// with a z-buffer; the radiance is fetched as by gatherWarp, by the same rules. Depth and item are those of

@@ -14,15 +14,22 @@ std::uint64_t countSelected(const Mask& mask) {
       std::count_if(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; }));
 }
 
-std::vector<ibr::BlendSource> inTheOrderOfTime(const InbetweenSources& sources, const Segment& segment) {
-  std::vector<ibr::BlendSource> ordered{{&sources.keyframes.fromFirst, double(segment.first)},
-                                        {&sources.keyframes.fromLast, double(segment.last)}};
-  for (const WarpedInbetween& other : sources.others) {
-    ordered.push_back({&other.warped, double(other.frameIndex)});
+/// `target` becomes part of the result.
+ibr::Blended blendInTheOrderOfTime(const WarpedPair& keyframes, const std::vector<const Inbetween*>& others,
+                                   Visibility&& target, const Segment& segment, int frameIndex,
+                                   const Renderer& renderer, const ibr::WarpSettings& settings) {
+  std::vector<ibr::BlendSource> ordered{{&keyframes.fromFirst, double(segment.first)},
+                                        {&keyframes.fromLast, double(segment.last)}};
+  const Mask shared = sharedAmongInbetweens(target.item, renderer);
+  std::vector<ibr::SampleGather> gathers;
+  gathers.reserve(others.size());
+  for (const Inbetween* other : others) {
+    gathers.emplace_back(other->frame, target, shared, settings);
+    ordered.push_back({&gathers.back(), double(other->statistics.index)});
   }
   std::sort(ordered.begin(), ordered.end(),
             [](const ibr::BlendSource& a, const ibr::BlendSource& b) { return a.time < b.time; });
-  return ordered;
+  return ibr::blend(ordered, std::move(target), double(frameIndex));
 }
 
 /// Samples that no keyframe fills, but another inbetween did.
@@ -94,7 +101,7 @@ Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer) {
 }
 
 Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
-                     const ItemVerdict& verdict, const Renderer& renderer, int supersample,
+                     const ItemVerdict& verdict, const Renderer& renderer, const Settings& settings,
                      PartSeconds& seconds) {
   ibr::Blended blended;
   Retrace retrace;
@@ -103,8 +110,8 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.warp);
     InbetweenSources used = std::move(sources);  // given back before anything is traced
-    blended =
-        ibr::blend(inTheOrderOfTime(used, segment), std::move(used.keyframes.target), double(frameIndex));
+    blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
+                                    frameIndex, renderer, settings.warp);
     disputed = std::move(used.keyframes.disputed);
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
                             verdict, renderer);
@@ -114,8 +121,8 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   {
     const Stopwatch watch(seconds.trace);
     renderer.retrace(blended.frame, retrace.holes, SampleSource::kTracedHole, frameIndex);
-    items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, supersample, frameIndex,
-                         renderer);
+    items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, settings.supersample,
+                         frameIndex, renderer);
   }
   const std::uint64_t disputedTraced = countDisputed(disputed, items, retrace.traced);
   Inbetween inbetween{std::move(items.frame), {}};

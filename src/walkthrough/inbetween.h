@@ -28,25 +28,19 @@ struct Inbetween {
   FrameStatistics statistics;  ///< without seconds
 };
 
-/// The traced samples of another inbetween of the segment, as seen from this one.
-struct WarpedInbetween {
-  int frameIndex = 0;
-  ibr::Warped warped;
-};
-
 /// The samples that may come from other inbetweens: of items that look the same from everywhere. (Others are
 /// traced, or were proven as a blend of both keyframes.)
 [[nodiscard]] Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer);
 
-/// All that an inbetween is warped from. Nothing in it was warped itself.
+/// All that an inbetween is made of. Nothing in it that counts was warped itself.
 struct InbetweenSources {
   WarpedPair keyframes;
-  std::vector<WarpedInbetween> others;
+  std::vector<const Inbetween*> others;  ///< of the segment, whose traced samples may serve here
 };
 
 /// Frame `frameIndex` of `segment`. `seconds` is the running account of the whole walk.
 [[nodiscard]] Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
-                                   const ItemVerdict& verdict, const Renderer& renderer, int supersample,
-                                   PartSeconds& seconds);
+                                   const ItemVerdict& verdict, const Renderer& renderer,
+                                   const Settings& settings, PartSeconds& seconds);
 
 }  // namespace promenade::walkthrough

@@ -6,14 +6,14 @@
 namespace promenade::walkthrough {
 
 double memoryNeededBytes(const Settings& settings) {
-  // A sample of a frame takes 45 bytes, one of a warped source 45. At once: the keyframes of the current line
-  // of splits and the inbetweens around the current frame, as many together as the spacing can be halved; as
-  // many warps; the middle's and an inbetween's visibility and two warps each, the blended frame. A display
-  // pixel takes at most 1 kB in the metric and the maps around it.
+  // A sample of a frame takes 45 bytes, one of a warped keyframe 29. At once: the keyframes of the current
+  // line of splits and the inbetweens around the current frame, as many together as the spacing can be
+  // halved; the middle's and an inbetween's visibility and two warps each, the blended frame and what of its
+  // layers is interpolated. A display pixel takes at most 1 kB in the metric and the maps around it.
   const double samples =
       static_cast<double>(settings.size.area()) * settings.supersample * settings.supersample;
   const double halvings = std::ceil(std::log2(settings.keyframeSpacing));
-  const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + 2.0 * halvings;
+  const double frames = settings.method == Method::kFull ? 1.0 : 3.0 + halvings;
   const double others = settings.method == Method::kFull ? 1.0 : 8.0;
   // The window of the filter, and its sums and what it moves (36 bytes a sample) beside it.
   const double filtered = settings.antialiasing ? settings.antialiasing->frames() + 1.0 : 0.0;

@@ -272,26 +272,14 @@ class Walk {
       const RayMeter meter(renderer_, rays);
       InbetweenSources sources;
       sources.keyframes = index == middle_.index ? std::move(middle_.warped) : warpTo(index, segment, others);
-      sources.others = warpOthersTo(sources.keyframes.target, others);
-      made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, settings_.supersample,
+      sources.others = others;
+      made = synthesise(std::move(sources), segment, index, middle_.verdict, renderer_, settings_,
                         statistics_.seconds);
     }
     made.statistics.rays = rays;
     if (stopping_) made.statistics.stopping = stopping_->spent();
     made.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return made;
-  }
-
-  std::vector<WarpedInbetween> warpOthersTo(const Visibility& target,
-                                            const std::vector<const Inbetween*>& others) {
-    const Stopwatch watch(statistics_.seconds.warp);
-    const Mask shared = sharedAmongInbetweens(target.item, renderer_);
-    std::vector<WarpedInbetween> warped;
-    for (const Inbetween* other : others) {
-      warped.push_back(
-          {other->statistics.index, ibr::gatherWarp(other->frame, target, shared, settings_.warp)});
-    }
-    return warped;
   }
 
   void finishKeyframe(int index) {

@@ -277,5 +277,38 @@ TEST(Blend, RejectsWhatDoesNotFit) {
   EXPECT_THROW((void)blend(backwards, wall(size, 4.0f), 0.5), InputError);
 }
 
+TEST(Blend, OfSourcesAskedSampleBySampleIsThatOfTheirMaps) {
+  const AnalyticScene scene = AnalyticScene()
+                                  .setBackground(waves(0.5))
+                                  .add(1, rectangle({-3, -1, -4}, {6, 0, 0}, {0, 3, 0}), waves(0.8))
+                                  .add(2, sphere({-0.5, 0, -3}, 0.6), waves(0.6));
+  const Size size{33, 21};
+  const Frame first = scene.render(cameraAt({0, 0, 0}, size, 25.0));
+  Frame other = scene.render(cameraAt({0.2, 0, 0}, size, 25.0));
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; x += 3) other.source(x, y) = SampleSource::kBlended;
+  }
+  const Frame last = scene.render(cameraAt({0.4, 0, 0}, size, 25.0));
+  const auto target = [&] { return scene.visibility(cameraAt({0.1, 0, 0}, size, 25.0)); };
+  const Visibility seen = target();
+  Mask wanted(size, 1);
+  for (int y = 0; y < size.height; ++y) wanted(20, y) = 0;
+  const Warped a = gatherWarp(first, seen, {});
+  const Warped b = gatherWarp(other, seen, wanted, {});
+  const Warped c = gatherWarp(last, seen, {});
+  const SampleGather gather(other, seen, wanted, {});
+  const std::array<BlendSource, 3> maps{{{&a, 0.0}, {&b, 2.0}, {&c, 4.0}}};
+  const std::array<BlendSource, 3> samples{{{&a, 0.0}, {&gather, 2.0}, {&c, 4.0}}};
+  const Blended expected = blend(maps, target(), 1.0);
+  const Blended found = blend(samples, target(), 1.0);
+  EXPECT_TRUE(sameBits(found.frame.diffuse, expected.frame.diffuse));
+  EXPECT_TRUE(sameBits(found.frame.viewDependent, expected.frame.viewDependent));
+  EXPECT_TRUE(sameBits(found.frame.source, expected.frame.source));
+  EXPECT_TRUE(sameBits(found.holes, expected.holes));
+  // The other one has a say.
+  const std::array<BlendSource, 2> without{{{&a, 0.0}, {&c, 4.0}}};
+  EXPECT_FALSE(sameBits(found.frame.diffuse, blend(without, target(), 1.0).frame.diffuse));
+}
+
 }  // namespace
 }  // namespace promenade::ibr::tests
