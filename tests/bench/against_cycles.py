@@ -10,7 +10,8 @@ blender and openimageio-tools. Prints Markdown; images, logs and numbers.json st
 
 What is alike: size, camera, threads, samples of a pixel (Promenade: supersample^2 positions, from each of which the
 rest of the samples leave as paths), a pixel that is the mean over its square, 8 scatterings, no clamping, no
-denoiser. What the importer loses, and cycles_frame.py gives back: thin panes, lights without a size.
+denoiser. What the importer loses, and cycles_frame.py gives back: thin panes, surfaces without a
+reflection, lights without a size.
 
 Time is the processor's, because it says the same on a busy machine. Whole is that of the process. Rendering leaves
 the start out (reading the scene, building the hierarchy): Cycles renders all images in one process, for Promenade the
@@ -69,11 +70,20 @@ def camera_of(frame):
             "vertical_field_of_view": float(found["promenade:verticalFieldOfView"])}
 
 
-def thin_materials(scene):
+def extensions_of_materials(scene):
+    """By the material's name."""
     materials = json.loads(pathlib.Path(scene).read_text()).get("materials", [])
-    extensions = {m.get("name"): m.get("extensions", {}) for m in materials}
-    return [name for name, e in extensions.items()
+    return {m.get("name"): m.get("extensions", {}) for m in materials}
+
+
+def thin_materials(scene):
+    return [name for name, e in extensions_of_materials(scene).items()
             if "KHR_materials_transmission" in e and "KHR_materials_volume" not in e]
+
+
+def matt_materials(scene):
+    return [name for name, e in extensions_of_materials(scene).items()
+            if e.get("KHR_materials_specular", {}).get("specularFactor", 1.0) == 0.0]
 
 
 def seconds_at(error, points):
@@ -124,7 +134,8 @@ class Bench:
     def cycles(self, images):
         """`images`: (samples, seed) by name."""
         times = self.folder / "cycles.json"
-        job = {"scene": os.path.abspath(self.scene), "thin": thin_materials(self.scene), "sky": self.sky, "size": self.o.size,
+        job = {"scene": os.path.abspath(self.scene), "thin": thin_materials(self.scene),
+               "matt": matt_materials(self.scene), "sky": self.sky, "size": self.o.size,
                "threads": self.o.threads, "bounces": 8, "times": os.path.abspath(times),
                "images": [{"name": name, "samples": samples, "seed": seed, "output": os.path.abspath(self.cycles_image(name))}
                           for name, (samples, seed) in images.items()],

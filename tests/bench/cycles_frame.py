@@ -69,6 +69,25 @@ def make_thin(material):
     links.new(mix.outputs[0], output.inputs["Surface"])
 
 
+def make_matt(material):
+    """A surface that reflects nothing above its matt layer (KHR_materials_specular with a factor of 0) follows Lambert's law in
+    glTF. The importer makes a Principled BSDF of all surfaces, whose matt layer is Burley's: where it is rough it gives
+    back more at grazing angles, up to more than it receives."""
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    principled = next(n for n in nodes if n.type == "BSDF_PRINCIPLED")
+    output = next(n for n in nodes if n.type == "OUTPUT_MATERIAL")
+    diffuse, emission, both = (nodes.new(kind) for kind in ("ShaderNodeBsdfDiffuse", "ShaderNodeEmission", "ShaderNodeAddShader"))
+    for source, (target, socket) in {"Base Color": (diffuse, "Color"), "Normal": (diffuse, "Normal"), "Emission": (emission, "Color"),
+                                     "Emission Strength": (emission, "Strength")}.items():
+        if principled.inputs[source].is_linked:
+            links.new(principled.inputs[source].links[0].from_socket, target.inputs[socket])
+        elif source != "Normal":
+            target.inputs[socket].default_value = principled.inputs[source].default_value
+    links.new(diffuse.outputs[0], both.inputs[0])
+    links.new(emission.outputs[0], both.inputs[1])
+    links.new(both.outputs[0], output.inputs["Surface"])
+
+
 def give_sky(scene, radiance):
     world = bpy.data.worlds.new("sky")
     world.use_nodes = True
@@ -130,6 +149,8 @@ def main():
     scene = bpy.context.scene
     for name in job["thin"]:
         make_thin(bpy.data.materials[name])
+    for name in job["matt"]:
+        make_matt(bpy.data.materials[name])
     sharpen_lights()
     give_sky(scene, job["sky"])
     place_camera(scene, job)
