@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "src/app/display_presets.h"
+#include "src/app/formatted.h"
 #include "src/app/printable.h"
 #include "src/core/errors.h"
 #include "src/core/nearest_name.h"
@@ -171,12 +171,10 @@ std::string displayList() {
   std::string list;
   for (const DisplayPreset& preset : displayPresets()) {
     const DisplayModel d = displayFromJson(std::string(preset.json), std::string(preset.fileName));
-    char line[256];
-    std::snprintf(line, sizeof(line), "%-8s  %dx%d, %.1f pixels/degree, %g to %g cd/m2, %g lux: %s\n",
-                  d.name.c_str(), d.resolution.width, d.resolution.height, d.pixelsPerDegree(),
-                  d.blackLuminance, d.peakLuminance, d.ambientIlluminance,
-                  Json::parse(preset.json).value("about", "").c_str());
-    list += line;
+    list +=
+        formatted("%-8s  %dx%d, %.1f pixels/degree, %g to %g cd/m2, %g lux: %s\n", d.name.c_str(),
+                  d.resolution.width, d.resolution.height, d.pixelsPerDegree(), d.blackLuminance,
+                  d.peakLuminance, d.ambientIlluminance, Json::parse(preset.json).value("about", "").c_str());
   }
   return list + "A display of your own: --display FILE.json (docs/formats.md says what is in it)\n";
 }

@@ -1,13 +1,13 @@
 #include "src/app/external_renderer.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "src/app/fingerprint.h"
 #include "src/app/folders.h"
+#include "src/app/formatted.h"
 #include "src/app/interrupt.h"
 #include "src/app/path_choice.h"
 #include "src/app/shell_words.h"
@@ -83,9 +83,8 @@ ExternalRenderer::ExternalRenderer(std::string command, std::string scene, fs::p
 }
 
 fs::path ExternalRenderer::frame(const Camera& camera, int index) {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%06d", index);
-  const auto file = [&](const char* extension) { return folder_ / (std::string(name) + extension); };
+  const std::string name = formatted("%06d", index);
+  const auto file = [&](const char* extension) { return folder_ / (name + extension); };
   const fs::path out = file(".exr");
   const fs::path done = file(".done.json");  // the request again, once its frame is whole
   const nlohmann::ordered_json wanted = requestFor(camera, index, made_);

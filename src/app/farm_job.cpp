@@ -1,10 +1,10 @@
 #include "src/app/farm_job.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "src/app/folders.h"
+#include "src/app/formatted.h"
 #include "src/app/options.h"
 #include "src/core/errors.h"
 #include "src/io/json.h"
@@ -15,9 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path recordFile(const FarmJob& job, int task) {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%06d.json", task);
-  return job.folder / "tasks" / name;
+  return job.folder / "tasks" / formatted("%06d.json", task);
 }
 
 }  // namespace

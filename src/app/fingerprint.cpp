@@ -1,11 +1,11 @@
 #include "src/app/fingerprint.h"
 
 #include <bit>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <vector>
 
+#include "src/app/formatted.h"
 #include "src/core/errors.h"
 
 namespace promenade::app {
@@ -43,9 +43,7 @@ void Fingerprint::add(double value) {
 }
 
 std::string Fingerprint::text() const {
-  char digits[24];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(state_));
-  return digits;
+  return formatted("%016llx", static_cast<unsigned long long>(state_));
 }
 
 void addScene(Fingerprint& fingerprint, const Scene& scene) {

@@ -1,8 +1,8 @@
 #include "src/app/forecast.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "src/app/formatted.h"
 #include "src/app/progress_line.h"
 
 namespace promenade::app {
@@ -23,13 +23,7 @@ double Forecast::keyframeSeconds() const {
 
 std::string Forecast::firstEstimate() const {
   const double each = keyframeSeconds();
-  char text[160];
-  if (each < 1.0) {
-    std::snprintf(text, sizeof(text), "a keyframe takes %.2fs", each);
-  } else {
-    std::snprintf(text, sizeof(text), "a keyframe takes %s", duration(each).c_str());
-  }
-  std::string line = text;
+  std::string line = "a keyframe takes " + (each < 1.0 ? formatted("%.2fs", each) : duration(each));
   line += ": " + duration(fewestKeyframes_ * each);
   if (fewestKeyframes_ < frames_) line += " to " + duration(frames_ * each);
   return line + " for " + (frames_ == 1 ? "the frame" : "all " + std::to_string(frames_) + " frames");

@@ -1,9 +1,9 @@
 #include "src/app/job_report.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "src/app/formatted.h"
 #include "src/app/report_page.h"
 #include "src/io/text_file.h"
 
@@ -62,10 +62,9 @@ void writeReport(const walkthrough::Report& report, const OutputFolder& folder, 
   writeReportPage(directory, std::nullopt, folder.file("report.html"), console.progress());
   console.endProgress();
   const walkthrough::Statistics& s = report.statistics;
-  char text[256];
-  std::snprintf(text, sizeof(text), ": %zu frames, %d keyframes, %.1f%% of the samples ray traced, %.1f s\n",
-                s.frames.size(), s.keyframes(), 100.0 * s.tracedFraction(), report.wallSeconds);
-  console.result(directory.string() + text);
+  console.result(directory.string() +
+                 formatted(": %zu frames, %d keyframes, %.1f%% of the samples ray traced, %.1f s\n",
+                           s.frames.size(), s.keyframes(), 100.0 * s.tracedFraction(), report.wallSeconds));
 }
 
 bool isReported(const OutputFolder& folder) {

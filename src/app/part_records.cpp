@@ -1,8 +1,8 @@
 #include "src/app/part_records.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "src/app/formatted.h"
 #include "src/io/json.h"
 #include "src/walkthrough/statistics_json.h"
 
@@ -14,9 +14,7 @@ PartRecords::PartRecords(const OutputFolder& folder, std::string jobHash, walkth
     : folder_(folder), jobHash_(std::move(jobHash)), walk_(walk) {}
 
 fs::path PartRecords::fileOf(const walkthrough::Segment& part) const {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%06d.json", part.first);
-  return folder_.file("parts") / name;
+  return folder_.file("parts") / formatted("%06d.json", part.first);
 }
 
 std::optional<PartRecord> PartRecords::find(const walkthrough::Segment& part) const {

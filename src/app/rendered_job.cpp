@@ -1,10 +1,10 @@
 #include "src/app/rendered_job.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "src/app/chosen_tone.h"
 #include "src/app/displays.h"
+#include "src/app/formatted.h"
 #include "src/core/errors.h"
 #include "src/io/exr_frame.h"
 #include "src/io/json.h"
@@ -85,9 +85,7 @@ fs::path RenderedJob::frame(int index) const {
 }
 
 fs::path RenderedJob::maps(const Judged& segment) const {
-  char name[64];
-  std::snprintf(name, sizeof(name), "%06d-%06d.exr", segment.first, segment.last);
-  return folder / "maps" / name;
+  return folder / "maps" / formatted("%06d-%06d.exr", segment.first, segment.last);
 }
 
 RenderedJob readRenderedJob(const fs::path& folder) {

@@ -1,9 +1,9 @@
 #include "src/app/report_page.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "src/app/formatted.h"
 #include "src/app/heatmap.h"
 #include "src/app/page_parts.h"
 #include "src/io/bytes.h"
@@ -15,10 +15,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 std::string cssColour(const Rgb& colour) {
-  char text[16];
-  std::snprintf(text, sizeof(text), "#%02x%02x%02x", io::toByte(colour.r), io::toByte(colour.g),
-                io::toByte(colour.b));
-  return text;
+  return formatted("#%02x%02x%02x", io::toByte(colour.r), io::toByte(colour.g), io::toByte(colour.b));
 }
 
 std::string escaped(const std::string& text) {
@@ -131,9 +128,7 @@ bool isSameJobTracedWhole(const RenderedJob& job, const RenderedJob& reference) 
 }
 
 std::string secondsText(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", seconds);
-  return text;
+  return formatted("%.1f s", seconds);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "aqm/metric.h"
@@ -12,6 +11,7 @@
 #include "src/app/compare_settings.h"
 #include "src/app/displays.h"
 #include "src/app/folders.h"
+#include "src/app/formatted.h"
 #include "src/app/heatmap.h"
 #include "src/app/threads.h"
 #include "src/app/values.h"
@@ -48,9 +48,7 @@ double framesPerSecondOf(const CompareOptions& options, const io::Sequence& sequ
 }
 
 std::string mapName(int index, const char* extension) {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%06d%s", index, extension);
-  return name;
+  return formatted("%06d%s", index, extension);
 }
 
 struct Pair {
@@ -88,12 +86,10 @@ FrameDifference judged(const Pair& pair, const Viewing& viewing, const VelocityM
         std::max(*std::ranges::max_element(test.pixels()), *std::ranges::max_element(reference.pixels()));
     const EncodedMap shownTest = pictureOf(pair.test, viewing, pair.shown, test, white);
     const EncodedMap shownReference = pictureOf(pair.reference, viewing, pair.shown, reference, white);
-    char title[160];
-    std::snprintf(title, sizeof(title),
-                  "Frame %d: %.2f%% of the pixels visibly different. %s, %.40s, %.1f pixels a degree",
-                  frame.index, difference.percentVisible, nameOf(frame.metric),
-                  viewing.absolute ? "cd/m2 as given" : viewing.display.name.c_str(),
-                  viewing.pixelsPerDegree);
+    const std::string title = formatted(
+        "Frame %d: %.2f%% of the pixels visibly different. %s, %.40s, %.1f pixels a degree", frame.index,
+        difference.percentVisible, nameOf(frame.metric),
+        viewing.absolute ? "cd/m2 as given" : viewing.display.name.c_str(), viewing.pixelsPerDegree);
     io::write8bit(
         std::filesystem::path(frame.options.heatmap) / mapName(frame.index, ".png"),
         heatmap({shownTest, shownReference, result.probability, result.pooledJnd, excluded}, title));

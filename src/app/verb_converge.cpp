@@ -1,11 +1,11 @@
 #include <bit>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/app/folders.h"
+#include "src/app/formatted.h"
 #include "src/app/interrupt.h"
 #include "src/app/render_job.h"
 #include "src/app/threads.h"
@@ -39,19 +39,15 @@ int powerOfTwoFrom(const std::string& text, const std::string& option) {
 
 std::string cell(const std::optional<double>& value) {
   if (!value) return "";
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4f", *value);
-  return text;
+  return formatted("%.4f", *value);
 }
 
 std::string csv(const std::vector<Curve>& curves) {
   std::string text = "solution,seconds,paths,percent_visible,predicted_percent,jnd,predicted_jnd\n";
   for (const Curve& curve : curves) {
     for (const ConvergencePoint& p : curve.points) {
-      char line[160];
-      std::snprintf(line, sizeof(line), "%s,%.3f,%d,%.4f,", curve.solution.c_str(), p.seconds, p.paths,
-                    p.percentVisible);
-      text += line + cell(p.predictedPercent) + "," + cell(p.jnd) + "," + cell(p.predictedJnd);
+      text += formatted("%s,%.3f,%d,%.4f,", curve.solution.c_str(), p.seconds, p.paths, p.percentVisible);
+      text += cell(p.predictedPercent) + "," + cell(p.jnd) + "," + cell(p.predictedJnd);
       text += "\n";
     }
   }
@@ -87,10 +83,8 @@ std::string svg(const std::vector<Curve>& curves, const Drawn& drawn) {
 
 std::string summary(const Curve& curve) {
   const ConvergencePoint& last = curve.points.back();
-  char text[160];
-  std::snprintf(text, sizeof(text), "%-12s %5d paths %8.1f s %7.2f%% visible\n", curve.solution.c_str(),
-                last.paths, last.seconds, last.percentVisible);
-  return text;
+  return formatted("%-12s %5d paths %8.1f s %7.2f%% visible\n", curve.solution.c_str(), last.paths,
+                   last.seconds, last.percentVisible);
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <spdlog/version.h>
 #include <tbb/version.h>
 #include <CLI/Version.hpp>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "aqm/library_version.h"
 #include "src/app/build_revision.h"
+#include "src/app/formatted.h"
 #include "src/io/library_versions.h"
 #include "src/render/library_version.h"
 
@@ -15,9 +15,7 @@ namespace promenade::app {
 namespace {
 
 std::string dotted(int major, int minor, int patch) {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%d.%d.%d", major, minor, patch);
-  return text;
+  return formatted("%d.%d.%d", major, minor, patch);
 }
 
 }  // namespace
