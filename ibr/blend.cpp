@@ -51,10 +51,34 @@ class DepthAgreement {
   float halfSample_;
 };
 
+/// How surfaces of the target lie to the eyes that look at them.
+class Slants {
+ public:
+  explicit Slants(const Visibility& target)
+      : target_(target), rays_(target.camera), eye_(target.camera.pose().eye) {}
+
+  /// Blended::slantChange of one source.
+  [[nodiscard]] float change(const glm::dvec3& sourceEye, int x, int y) const {
+    const glm::vec3 fromHere = target_.depth(x, y) * rays_.through(x, y);
+    const glm::vec3 fromThere = fromHere + glm::vec3(eye_ - sourceEye);
+    return std::abs(std::log(cosine(fromThere, x, y) / cosine(fromHere, x, y)));
+  }
+
+ private:
+  [[nodiscard]] float cosine(const glm::vec3& toPoint, int x, int y) const {
+    return glm::dot(target_.normal(x, y), toPoint) / glm::length(toPoint);
+  }
+
+  const Visibility& target_;
+  RayBasis rays_;
+  glm::dvec3 eye_;
+};
+
 struct Mean {
   Rgb diffuse{0.0f};
   Rgb viewDependent{0.0f};
   SampleSource source = SampleSource::kBlended;
+  float slantChange = 0.0f;
 };
 
 /// What one source shows at one sample.
@@ -63,25 +87,33 @@ struct Shown {
   float depth = 0.0f;
   double footprintLimit = 0.0;
   double time = 0.0;
+  glm::dvec3 eye{0.0};
 };
 
 Shown shownBy(const BlendSource& source, const Visibility& target, int x, int y) {
   if (const auto* gather = std::get_if<const SampleGather*>(&source.warped)) {
-    return {(**gather)(x, y), target.depth(x, y), (*gather)->footprintLimit(), source.time};
+    return {(**gather)(x, y), target.depth(x, y), (*gather)->footprintLimit(), source.time, (*gather)->eye()};
   }
   const Warped& warped = *std::get<const Warped*>(source.warped);
   return {{warped.validity(x, y), warped.footprint(x, y), warped.diffuse(x, y), warped.viewDependent(x, y)},
           warped.depth.empty() ? target.depth(x, y) : warped.depth(x, y),
           warped.footprintLimit,
-          source.time};
+          source.time,
+          warped.eye};
 }
 
 /// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<const Shown> sources, const DepthAgreement& sameDepth, double time, int x, int y,
-           Validity wanted)
-      : sources_(sources), sameDepth_(sameDepth), time_(time), x_(x), y_(y), wanted_(wanted) {
+  Counting(std::span<const Shown> sources, const DepthAgreement& sameDepth, const Slants& slants, double time,
+           int x, int y, Validity wanted)
+      : sources_(sources),
+        sameDepth_(sameDepth),
+        slants_(slants),
+        time_(time),
+        x_(x),
+        y_(y),
+        wanted_(wanted) {
     for (const Shown& source : sources_) {
       if (source.sample.validity != wanted) continue;
       if (source.time == time) exact_ = &source;
@@ -119,9 +151,7 @@ class Counting {
     bool earlier = false;
     bool later = false;
     for (const Shown& source : sources_) {
-      if (source.sample.validity != wanted_) continue;
-      if (!sameDepth_(x_, y_, nearest_, source.depth)) continue;
-      const double weight = qualityOf(source) / std::abs(time_ - source.time);
+      const double weight = weightOf(source, qualityOf);
       if (!(weight > 0.0)) continue;
       sum.weight += weight;
       (source.time < time_ ? earlier : later) = true;
@@ -133,11 +163,35 @@ class Counting {
     sum.mean.source = earlier && later ? SampleSource::kBlended
                       : earlier        ? SampleSource::kWarpedFromPrevious
                                        : SampleSource::kWarpedFromNext;
+    if (earlier != later && wanted_ == Validity::kValid && std::isfinite(nearest_))
+      sum.mean.slantChange = slantChange(qualityOf);
     return sum;
+  }
+
+  /// 0 if the source does not count.
+  template <class QualityOf>
+  [[nodiscard]] double weightOf(const Shown& source, const QualityOf& qualityOf) const {
+    if (source.sample.validity != wanted_) return 0.0;
+    if (!sameDepth_(x_, y_, nearest_, source.depth)) return 0.0;
+    return qualityOf(source) / std::abs(time_ - source.time);
+  }
+
+  template <class QualityOf>
+  [[nodiscard]] float slantChange(const QualityOf& qualityOf) const {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (const Shown& source : sources_) {
+      const double weight = weightOf(source, qualityOf);
+      if (!(weight > 0.0)) continue;
+      sum += weight * static_cast<double>(slants_.change(source.eye, x_, y_));
+      weights += weight;
+    }
+    return static_cast<float>(sum / weights);
   }
 
   std::span<const Shown> sources_;
   const DepthAgreement& sameDepth_;
+  const Slants& slants_;
   double time_;
   int x_;
   int y_;
@@ -172,8 +226,11 @@ Blended blend(std::span<const BlendSource> sources, Visibility&& target, double 
   requireForBlend(time >= sources.front().time && time <= sources.back().time,
                   "a time between those of the sources");
 
-  Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)}, Mask(size)};
+  Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)},
+                  Mask(size),
+                  decltype(Blended::slantChange)(size)};
   const DepthAgreement sameDepth(target);
+  const Slants slants(target);
   tbb::parallel_for(0, size.height, [&](int y) {
     std::vector<Shown> shown(sources.size());
     for (int x = 0; x < size.width; ++x) {
@@ -182,15 +239,16 @@ Blended blend(std::span<const BlendSource> sources, Visibility&& target, double 
         blended.frame.diffuse(x, y) = mean.diffuse;
         blended.frame.viewDependent(x, y) = mean.viewDependent;
         blended.frame.source(x, y) = mean.source;
+        blended.slantChange(x, y) = mean.slantChange;
       };
-      const Counting fine(shown, sameDepth, time, x, y, Validity::kValid);
+      const Counting fine(shown, sameDepth, slants, time, x, y, Validity::kValid);
       if (!fine.none()) {
         put(fine.mean());
         continue;
       }
       blended.holes(x, y) = 1;
-      const Counting coarse(shown, sameDepth, time, x, y, Validity::kUndersampled);
-      put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown} : coarse.mean());
+      const Counting coarse(shown, sameDepth, slants, time, x, y, Validity::kUndersampled);
+      put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown, 0.0f} : coarse.mean());
     }
   });
   blended.frame.visibility = std::move(target);

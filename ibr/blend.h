@@ -11,6 +11,11 @@ namespace promenade::ibr {
 struct Blended {
   Frame frame;  ///< visibility is the target's; `source` says warped, blended, or kUnknown, with radiance 0
   Mask holes;   ///< no valid source: to be ray traced
+  /// Where only earlier or only later sources count: |ln(cos / cos')|, cos and cos' between the normal and
+  /// the lines of sight from the target and from a source, the mean of the sources as they count. By as much
+  /// changes the logarithm of a reflection that goes by 1/cos, as microfacets do but for their shadowing
+  /// (Walter et al. 2007, eq. 20). Elsewhere 0.
+  Map<struct SlantTag, float> slantChange;
 };
 
 /// A frame warped to the target, as maps or sample by sample, and when its samples were ray traced, in any

@@ -51,6 +51,7 @@ class SampleGather::Gather {
   }
   [[nodiscard]] Size size() const { return targetSize_; }
   [[nodiscard]] double footprintLimit() const { return footprintLimit_; }
+  [[nodiscard]] glm::dvec3 eye() const { return source_.visibility.camera.pose().eye; }
 
  private:
   /// Precondition: the nearest sample agrees.
@@ -108,6 +109,10 @@ double SampleGather::footprintLimit() const {
   return gather_->footprintLimit();
 }
 
+glm::dvec3 SampleGather::eye() const {
+  return gather_->eye();
+}
+
 void requireValid(const Frame& source, const WarpSettings& settings) {
   const Size size = source.visibility.camera.size();
   requireSizes(source.visibility, "source");
@@ -135,7 +140,8 @@ Warped gatherWarp(const Frame& source, const Visibility& target, const Mask& wan
                 decltype(Warped::footprint)(size),
                 settings.footprintLimit,
                 {},
-                {}};
+                {},
+                source.visibility.camera.pose().eye};
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       const WarpedSample sample = gather(x, y);

@@ -36,6 +36,7 @@ struct Warped {
   // What forwardWarp() found that the target sees. Empty: what the target is known to see.
   DepthMap depth;
   ItemBuffer item;
+  glm::dvec3 eye{0.0};  ///< the source's: from where its samples were seen
 };
 
 struct WarpSettings {
@@ -82,6 +83,8 @@ class SampleGather {
   [[nodiscard]] WarpedSample operator()(int x, int y) const;
   [[nodiscard]] Size size() const;
   [[nodiscard]] double footprintLimit() const;
+  /// As Warped::eye.
+  [[nodiscard]] glm::dvec3 eye() const;
 
  private:
   class Gather;

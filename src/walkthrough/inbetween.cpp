@@ -5,6 +5,7 @@
 #include "ibr/blend.h"
 #include "src/walkthrough/item_table.h"
 #include "src/walkthrough/retrace_items.h"
+#include "src/walkthrough/slant.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -112,6 +113,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     InbetweenSources used = std::move(sources);  // given back before anything is traced
     blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
                                     frameIndex, renderer, settings.warp);
+    blended.holes = holesAndSlantedGloss(blended, renderer);
     disputed = std::move(used.keyframes.disputed);
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
                             verdict, renderer);

@@ -10,7 +10,7 @@ namespace promenade::walkthrough {
 
 /// What of an inbetween is ray traced.
 struct Retrace {
-  Mask holes;  ///< no source fills the sample
+  Mask holes;  ///< no source fills the sample as it looks from here
   Mask items;  ///< the sample belongs to an item whose warped look a viewer could tell; disjoint from holes
   ItemSet traced;
 };
@@ -38,7 +38,8 @@ struct InbetweenSources {
   std::vector<const Inbetween*> others;  ///< of the segment, whose traced samples may serve here
 };
 
-/// Frame `frameIndex` of `segment`. `seconds` is the running account of the whole walk.
+/// Frame `frameIndex` of `segment`. What sources show at another slant only counts as a hole (slant.h).
+/// `seconds` is the running account of the whole walk.
 [[nodiscard]] Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
                                    const ItemVerdict& verdict, const Renderer& renderer,
                                    const Settings& settings, PartSeconds& seconds);

@@ -12,6 +12,7 @@
 #include "src/walkthrough/contrast_error.h"
 #include "src/walkthrough/inbetween.h"
 #include "src/walkthrough/seen.h"
+#include "src/walkthrough/slant.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -39,6 +40,7 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
+  blended.holes = holesAndSlantedGloss(blended, renderer);
   const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
                                         middle.warped.disputed, items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};

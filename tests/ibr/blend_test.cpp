@@ -265,6 +265,44 @@ TEST(Blend, OfManySourcesThatAgreeIsTheirValueToTheBit) {
   EXPECT_EQ(blend(sources, wall(size, 4.0f), 1.7).frame.diffuse(0, 0), Rgb(0.3f));
 }
 
+/// Of a wall 10 m ahead at x = 0, which the source sees under a cosine of e^-change: tan^2 = 1 / cos^2 - 1.
+Warped slanted(double change, Validity validity = Validity::kValid) {
+  Warped source = constant({1, 1}, 1.0f, 10.0f, 1.0f, validity);
+  source.eye.x = 10.0 * std::sqrt(std::exp(2.0 * change) - 1.0);
+  return source;
+}
+
+TEST(Blend, SaysHowMuchLessSlantedOneSideSawASurface) {
+  const Warped hidden = slanted(2.0, Validity::kOccluded);
+  EXPECT_NEAR(blend(hidden, slanted(0.3), wall({1, 1}, 10.0f), 0.5).slantChange(0, 0), 0.3f, 1e-5f);
+  EXPECT_NEAR(blend(slanted(0.3), hidden, wall({1, 1}, 10.0f), 0.5).slantChange(0, 0), 0.3f, 1e-5f);
+  // The mean of 0.05 and 0.3 at distances 1 and 2: (0.05 + 0.15) / 1.5.
+  const Warped near = slanted(0.05);
+  const Warped far = slanted(0.3);
+  const BlendSource sources[] = {{&hidden, 0.0}, {&near, 3.0}, {&far, 4.0}};
+  EXPECT_NEAR(blend(sources, wall({1, 1}, 10.0f), 2.0).slantChange(0, 0), 0.2f / 1.5f, 1e-5f);
+}
+
+TEST(Blend, SaysHowMuchMoreSlantedOneSideSawASurface) {
+  // cos = 0.8 here, and 1 for a source that stands where the normal points, as far away.
+  Visibility target = wall({1, 1}, 10.0f);
+  target.normal(0, 0) = glm::vec3(0.6f, 0.0f, 0.8f);
+  Warped source = slanted(0.0);
+  source.eye = {6.0, 0.0, 8.0 - 10.0};
+  EXPECT_NEAR(blend(slanted(2.0, Validity::kOccluded), source, std::move(target), 0.5).slantChange(0, 0),
+              std::log(1.0 / 0.8), 1e-5);
+}
+
+TEST(Blend, SaysNothingOfSlantWhereBothSidesCountOrNothingIsSeen) {
+  EXPECT_EQ(blend(slanted(0.3), slanted(0.3), wall({1, 1}, 10.0f), 0.5).slantChange(0, 0), 0.0f);
+  const Warped hidden = slanted(0.3, Validity::kOccluded);
+  EXPECT_EQ(blend(hidden, hidden, wall({1, 1}, 10.0f), 0.5).slantChange(0, 0), 0.0f);
+  Warped sky = slanted(0.3);
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  sky.depth(0, 0) = kFar;
+  EXPECT_EQ(blend(hidden, sky, wall({1, 1}, kFar), 0.5).slantChange(0, 0), 0.0f);
+}
+
 TEST(Blend, RejectsWhatDoesNotFit) {
   const Size size{4, 3};
   const Warped good = constant(size, 0.5f, 4.0f, 1.0f);
