@@ -9,19 +9,18 @@
 
 namespace promenade::render {
 
-TextureFootprints::TextureFootprints(const SurfacePoint& point, const Footprint& footprint) {
+glm::vec2 alongEdges(const SurfacePoint& point, const glm::vec3& axis) {
   const glm::vec3 normal = glm::cross(point.edge1, point.edge2);
   const float squared = glm::dot(normal, normal);
-  if (!(squared > 0.0f)) return;
-  // An axis in the plane of the triangle is s * edge1 + t * edge2; the texture coordinates move by the same s
-  // and t.
-  const auto solve = [&](const glm::vec3& axis) {
-    return glm::vec2(glm::dot(glm::cross(axis, point.edge2), normal),
-                     glm::dot(glm::cross(point.edge1, axis), normal)) /
-           squared;
-  };
-  const glm::vec2 major = solve(footprint.major);
-  const glm::vec2 minor = solve(footprint.minor);
+  if (!(squared > 0.0f)) return glm::vec2(0.0f);
+  return glm::vec2(glm::dot(glm::cross(axis, point.edge2), normal),
+                   glm::dot(glm::cross(point.edge1, axis), normal)) /
+         squared;
+}
+
+TextureFootprints::TextureFootprints(const SurfacePoint& point, const Footprint& footprint) {
+  const glm::vec2 major = alongEdges(point, footprint.major);
+  const glm::vec2 minor = alongEdges(point, footprint.minor);
   for (std::size_t set = 0; set < 2; ++set) {
     const glm::vec2& e1 = point.texCoordEdge1[set];
     const glm::vec2& e2 = point.texCoordEdge2[set];

@@ -14,6 +14,11 @@ namespace promenade::render {
 struct SurfacePoint;
 struct Footprint;
 
+/// s and t by which an axis in the plane of the point's triangle is s * edge1 + t * edge2: whatever is
+/// interpolated over the triangle changes by the same s and t of its own edges. 0 where the triangle has no
+/// area.
+[[nodiscard]] glm::vec2 alongEdges(const SurfacePoint& point, const glm::vec3& axis);
+
 /// A footprint in the two sets of texture coordinates.
 class TextureFootprints {
  public:

@@ -8,6 +8,7 @@
 
 #include "src/render/basis.h"
 #include "src/render/material_textures.h"
+#include "src/render/normal_spread.h"
 #include "src/render/surfaces.h"
 
 namespace promenade::render {
@@ -34,14 +35,14 @@ glm::vec3 reflectingAbove(const glm::vec3& normal, const glm::vec3& geometric, c
 }
 
 /// `texel` of a normal map in the frame of the mesh's tangents; the point's own normal where there is none.
-glm::vec3 mappedNormal(const SurfacePoint& point, const glm::vec4& texel, float scale) {
+glm::vec3 mappedNormal(const SurfacePoint& point, const glm::vec3& texel, float scale) {
   const glm::vec3& normal = point.normal;
   const glm::vec3 tangent = glm::vec3(point.tangent) - glm::dot(glm::vec3(point.tangent), normal) * normal;
   const float length = glm::length(tangent);
   if (!(length > 1e-6f)) return normal;
   const glm::vec3 x = tangent / length;
   const glm::vec3 y = glm::cross(normal, x) * point.tangent.w;
-  glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
+  glm::vec3 n = 2.0f * texel - 1.0f;
   n.x *= scale;
   n.y *= scale;
   const glm::vec3 mapped = n.x * x + n.y * y + std::max(n.z, 0.0f) * normal;
@@ -123,16 +124,30 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
   }
 
   const float side = point.frontFace ? 1.0f : -1.0f;
-  const auto facing = [&](const std::optional<Texture>& map, float scale) {
-    const bool isMapped = map && point.tangent.w != 0.0f && footprint.detail == Detail::kFull;
-    const glm::vec3 normal = isMapped ? mappedNormal(point, look(map), scale) : point.normal;
-    return reflectingAbove(side * normal, side * point.geometricNormal, -direction);
+  const bool isExact = footprint.detail == Detail::kFull;
+  const float turning = isExact ? normalVariance(point, footprint) : 0.0f;
+  struct Facing {
+    glm::vec3 normal;
+    float variance;
   };
-  result.normal = facing(material.normalTexture, material.normalScale);
+  const auto facing = [&](const std::optional<Texture>& map, float scale) -> Facing {
+    glm::vec3 normal = point.normal;
+    float variance = turning;
+    if (map && point.tangent.w != 0.0f && isExact) {
+      const glm::vec4 texel = look(map);
+      normal = mappedNormal(point, glm::vec3(texel), scale);
+      variance += scale * scale * texel.a;
+    }
+    return {reflectingAbove(side * normal, side * point.geometricNormal, -direction), variance};
+  };
+  const Facing outer = facing(material.normalTexture, material.normalScale);
+  result.normal = outer.normal;
+  Facing coat = outer;
   if (result.bsdf.clearcoat > 0.0f && (material.normalTexture || material.clearcoatNormalTexture)) {
-    const glm::vec3 coat = facing(material.clearcoatNormalTexture, material.clearcoatNormalScale);
-    result.bsdf.clearcoatNormal = Basis(result.normal).toLocal(coat);
+    coat = facing(material.clearcoatNormalTexture, material.clearcoatNormalScale);
+    result.bsdf.clearcoatNormal = Basis(result.normal).toLocal(coat.normal);
   }
+  broaden(result.bsdf, outer.variance, coat.variance);
   return result;
 }
 

@@ -145,8 +145,13 @@ SurfacePoint Surfaces::pointAt(const Hit& hit, const glm::vec3& direction) const
   point.geometricNormal =
       normalizedOr(p.orientation * glm::cross(point.edge1, point.edge2), -glm::normalize(direction));
   point.frontFace = glm::dot(point.geometricNormal, direction) <= 0.0f;
-  point.normal =
-      normalizedOr(p.worldNormalFromObject * interpolate(mesh.normals, t, weights), point.geometricNormal);
+  const glm::vec3 normal = p.worldNormalFromObject * interpolate(mesh.normals, t, weights);
+  point.normal = normalizedOr(normal, point.geometricNormal);
+  if (const float length = glm::length(normal); length > 0.0f && std::isfinite(length)) {
+    const glm::mat3 unitFromObject = p.worldNormalFromObject / length;
+    point.normalEdge1 = unitFromObject * (mesh.normals[t.y] - mesh.normals[t.x]);
+    point.normalEdge2 = unitFromObject * (mesh.normals[t.z] - mesh.normals[t.x]);
+  }
   if (!mesh.tangents.empty()) {
     const glm::vec4 tangent = interpolate(mesh.tangents, t, weights);
     const glm::vec3 world =

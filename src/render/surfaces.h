@@ -31,6 +31,7 @@ struct SurfacePoint {
   glm::vec2 texCoord[2]{};
   glm::vec4 color{1.0f};
   glm::vec3 edge1{0.0f}, edge2{0.0f};                ///< of the triangle, world space
+  glm::vec3 normalEdge1{0.0f}, normalEdge2{0.0f};    ///< change of the interpolated normal along the edges
   glm::vec2 texCoordEdge1[2]{}, texCoordEdge2[2]{};  ///< the same in texture space, for footprints
   std::uint32_t instance = 0;
   int material = 0;

@@ -28,6 +28,20 @@ constexpr int kMostTaps = 8;
 constexpr float kWidest = 16.0f;
 constexpr float kToNearestLevel = 0.70710678f;
 
+constexpr std::size_t kEncodings = 3;
+
+const char* nameOf(TexelEncoding encoding) {
+  switch (encoding) {
+    case TexelEncoding::kSrgb:
+      return " sRGB";
+    case TexelEncoding::kNormal:
+      return " normals";
+    case TexelEncoding::kLinear:
+      break;
+  }
+  return " linear";
+}
+
 OIIO::TextureOpt::Wrap toOiio(Wrap wrap) {
   switch (wrap) {
     case Wrap::kRepeat:
@@ -105,11 +119,11 @@ struct TextureLibrary::Cache {
 
   void addFile(const Scene& scene, const Texture& texture);
   [[nodiscard]] std::size_t indexOf(const Texture& texture) const {
-    return 2 * static_cast<std::size_t>(texture.image) + (texture.encoding == TexelEncoding::kSrgb ? 0 : 1);
+    return kEncodings * static_cast<std::size_t>(texture.image) + static_cast<std::size_t>(texture.encoding);
   }
   [[nodiscard]] OIIO::TextureSystem::Perthread* lookupsOf(std::size_t index);
 
-  std::vector<File> files;  ///< two an image: sRGB, linear
+  std::vector<File> files;  ///< kEncodings an image
   std::unique_ptr<OIIO::ImageCache, Destroy> images;
   std::unique_ptr<OIIO::TextureSystem, Destroy> system;
   bool isRoomy = false;  ///< the budget holds every texture whole
@@ -117,7 +131,7 @@ struct TextureLibrary::Cache {
 };
 
 TextureLibrary::Cache::Cache(const Scene& scene)
-    : files(2 * scene.images.size()),
+    : files(kEncodings * scene.images.size()),
       images(OIIO::ImageCache::create(false)),
       system(OIIO::TextureSystem::create(false, images.get())) {
   // Whatever OPENIMAGEIO_IMAGECACHE_OPTIONS in the environment says: a level is one tile, in its own format.
@@ -159,8 +173,7 @@ void TextureLibrary::Cache::addFile(const Scene& scene, const Texture& texture) 
   file.image = &scene.images[image];
   file.encoding = texture.encoding;
   file.cache = images.get();
-  file.name = OIIO::ustring("image " + std::to_string(image) +
-                            (texture.encoding == TexelEncoding::kSrgb ? " sRGB" : " linear"));
+  file.name = OIIO::ustring("image " + std::to_string(image) + nameOf(texture.encoding));
   addToCache(file);
   file.handle = system->get_texture_handle(file.name);
 }
@@ -228,8 +241,7 @@ glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
   }
 
   const glm::vec3 middle = texture.transform * glm::vec3(uv, 1.0f);
-  glm::vec4 sum(0.0f);
-  for (int i = 0; i < count; ++i) {
+  const auto tap = [&](int i) {
     const float offset = static_cast<float>(i) - 0.5f * static_cast<float>(count - 1);
     const glm::vec2 at = glm::vec2(middle) + offset * taps.step;
     alignas(16) std::array<float, 4> value{};
@@ -237,8 +249,15 @@ glm::vec4 TextureLibrary::sample(const Texture& texture, glm::vec2 uv,
                                  reduced(at.y, texture.wrapV), width, 0.0f, 0.0f, width, 4, value.data())) {
       throw CannotContinue(cache_->system->geterror());
     }
-    sum += glm::vec4(value[0], value[1], value[2], value[3]);
+    return glm::vec4(value[0], value[1], value[2], value[3]);
+  };
+  if (texture.encoding == TexelEncoding::kNormal) {
+    MeanNormal mean;
+    for (int i = 0; i < count; ++i) mean.add(1.0f / static_cast<float>(count), tap(i));
+    return {mean.encoded(), mean.variance()};
   }
+  glm::vec4 sum(0.0f);
+  for (int i = 0; i < count; ++i) sum += tap(i);
   return sum / static_cast<float>(count);
 }
 

@@ -35,9 +35,10 @@ class TextureLibrary {
   ~TextureLibrary();
 
   /// The texture's value at `uv` (the mesh's texture coordinates; the texture's transform is applied here),
-  /// linear, averaged over the footprint. `texture` must be one of the scene's materials. Not-a-number or
-  /// infinite coordinates read the texel at 0. Throws CannotContinue if an image cannot be decoded again
-  /// (memory).
+  /// linear, averaged over the footprint. Of TexelEncoding::kNormal: the mean vector m, as (m + 1) / 2, and
+  /// the variance of the vectors, all directions together, in place of alpha. `texture` must be one of the
+  /// scene's materials. Not-a-number or infinite coordinates read the texel at 0. Throws CannotContinue if an
+  /// image cannot be decoded again (memory).
   [[nodiscard]] glm::vec4 sample(const Texture& texture, glm::vec2 uv,
                                  const TextureFootprint& footprint) const;
 

@@ -41,23 +41,57 @@ Coverage coverageOf(int index, int from, int to) {
 }
 
 template <class Value>
+class MeanTexel {
+ public:
+  void add(float weight, const std::array<Value, kChannels>& texel) {
+    for (std::size_t c = 0; c < kChannels; ++c) sum_[c] += weight * static_cast<float>(texel[c]);
+  }
+  [[nodiscard]] std::array<Value, kChannels> texel() const {
+    std::array<Value, kChannels> rounded{};
+    for (std::size_t c = 0; c < kChannels; ++c) rounded[c] = static_cast<Value>(sum_[c] + 0.5f);
+    return rounded;
+  }
+
+ private:
+  std::array<float, kChannels> sum_{};
+};
+
+/// Deviation in place of alpha.
+class MeanNormalTexel {
+ public:
+  using Texel = std::array<std::uint8_t, kChannels>;
+
+  void add(float weight, const Texel& texel) {
+    mean_.add(weight, glm::vec4(texel[0], texel[1], texel[2], texel[3]) / 255.0f);
+  }
+  [[nodiscard]] Texel texel() const {
+    const glm::vec4 value(mean_.encoded(), std::min(std::sqrt(mean_.variance()), 1.0f));
+    Texel rounded{};
+    for (int c = 0; c < kChannels; ++c) {
+      rounded[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(255.0f * value[c] + 0.5f);
+    }
+    return rounded;
+  }
+
+ private:
+  MeanNormal mean_;
+};
+
+template <class Mean, class Value>
 void halve(const TexelsOf<Value>& from, Size size, std::array<Value, kChannels>* to) {
   for (int y = 0; y < size.height; ++y) {
     const Coverage rows = coverageOf(y, from.height(), size.height);
     for (int x = 0; x < size.width; ++x) {
       const Coverage columns = coverageOf(x, from.width(), size.width);
-      std::array<float, kChannels> sum{};
+      Mean mean;
       for (int dy = 0; dy < 3; ++dy) {
         for (int dx = 0; dx < 3; ++dx) {
           const float weight =
               rows.weight[static_cast<std::size_t>(dy)] * columns.weight[static_cast<std::size_t>(dx)];
-          if (!(weight > 0.0f)) continue;
-          const auto& texel = from(columns.first + dx, rows.first + dy);
-          for (std::size_t c = 0; c < kChannels; ++c) sum[c] += weight * static_cast<float>(texel[c]);
+          if (weight > 0.0f) mean.add(weight, from(columns.first + dx, rows.first + dy));
         }
       }
-      for (std::size_t c = 0; c < kChannels; ++c) (*to)[c] = static_cast<Value>(sum[c] + 0.5f);
-      ++to;
+      *to++ = mean.texel();
     }
   }
 }
@@ -143,6 +177,7 @@ class TextureInput final : public OIIO::ImageInput {
 
  private:
   [[nodiscard]] bool isWide() const { return file_->encoding == TexelEncoding::kSrgb; }
+  [[nodiscard]] bool isNormals() const { return file_->encoding == TexelEncoding::kNormal; }
 
   template <class Value>
   bool readLevel(int level, void* data) {
@@ -153,6 +188,7 @@ class TextureInput final : public OIIO::ImageInput {
         decodeColours(texels, to);
       } else {
         std::copy(texels.pixels().begin(), texels.pixels().end(), to);
+        if (isNormals()) std::for_each_n(to, texels.size().area(), [](auto& texel) { texel[3] = 0; });
       }
       return true;
     }
@@ -165,7 +201,14 @@ class TextureInput final : public OIIO::ImageInput {
       errorfmt("{}", file_->cache->geterror());
       return false;
     }
-    halve(texels, sizeOfLevel(file_->image->size, level), to);
+    const Size size = sizeOfLevel(file_->image->size, level);
+    if constexpr (std::is_same_v<Value, std::uint8_t>) {
+      if (isNormals()) {
+        halve<MeanNormalTexel>(texels, size, to);
+        return true;
+      }
+    }
+    halve<MeanTexel<Value>>(texels, size, to);
     return true;
   }
 

@@ -4,14 +4,39 @@
 // which the cache is asked for, so that an image is decoded once however many of its levels are wanted, and
 // nothing but encoded bytes stays outside the cache. A level is one tile: PNG, JPEG and WebP can be decoded
 // only whole. sRGB colours are kept as 16-bit linear numbers, because they are to be filtered in linear
-// light; what is linear already keeps its 8 bits. Williams, Pyramidal Parametrics (SIGGRAPH 1983).
+// light; what is linear already keeps its 8 bits. Of normals the alpha channel, which has no meaning there,
+// is the deviation of those that a texel of the level stands for: a mean does not tell bumps from a flat
+// surface, and the surface's reflections do. Williams, Pyramidal Parametrics (SIGGRAPH 1983); Toksvig,
+// Mipmapping Normal Maps (2005).
 
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/ustring.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include "src/scene/scene.h"
 
 namespace promenade::render {
+
+/// The mean of normals that vary: texels of TexelEncoding::kNormal, in [0, 1].
+class MeanNormal {
+ public:
+  void add(float weight, const glm::vec4& texel) {
+    const glm::vec3 n = 2.0f * glm::vec3(texel) - 1.0f;
+    sum_ += weight * n;
+    squares_ += weight * (glm::dot(n, n) + texel.a * texel.a);
+  }
+  [[nodiscard]] glm::vec3 encoded() const { return 0.5f * (sum_ + 1.0f); }
+  /// About the mean, all directions together; in [0, 1] for unit vectors.
+  [[nodiscard]] float variance() const { return std::max(squares_ - glm::dot(sum_, sum_), 0.0f); }
+
+ private:
+  glm::vec3 sum_{0.0f};  // weights sum to 1
+  float squares_ = 0.0f;
+};
 
 /// One image in one encoding.
 struct TextureFile {

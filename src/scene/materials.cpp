@@ -54,7 +54,7 @@ class MaterialReader {
 
   void readSurface() {
     material_.normalTexture =
-        textures_.read(source_.normalTexture, TexelEncoding::kLinear, place_ + ".normalTexture");
+        textures_.read(source_.normalTexture, TexelEncoding::kNormal, place_ + ".normalTexture");
     material_.normalScale = toFloat(gltf_, source_.normalTexture.scale, place_ + ".normalTexture.scale");
     if (source_.alphaMode == "MASK") {
       material_.alphaMode = AlphaMode::kMask;
@@ -127,7 +127,7 @@ class MaterialReader {
     material_.clearcoatRoughnessTexture =
         textures_.read(coat.object("clearcoatRoughnessTexture"), TexelEncoding::kLinear);
     const Fields normal = coat.object("clearcoatNormalTexture");
-    material_.clearcoatNormalTexture = textures_.read(normal, TexelEncoding::kLinear);
+    material_.clearcoatNormalTexture = textures_.read(normal, TexelEncoding::kNormal);
     material_.clearcoatNormalScale = normal.number("scale", 1.0f);
   }
 

@@ -21,8 +21,8 @@ namespace promenade {
 
 enum class Wrap { kRepeat, kMirroredRepeat, kClampToEdge };
 enum class Filter { kNearest, kLinear };
-/// How texels are to be read: sRGB-encoded colour, or plain numbers.
-enum class TexelEncoding { kSrgb, kLinear };
+/// How texels are to be read: sRGB-encoded colour, plain numbers, or unit vectors n as (n + 1) / 2.
+enum class TexelEncoding { kSrgb, kLinear, kNormal };
 
 /// A use of an image by a material.
 struct Texture {

@@ -12,6 +12,7 @@
 
 #include "src/render/bsdf.h"
 #include "src/render/environment.h"
+#include "src/render/normal_spread.h"
 #include "src/render/path_renderer.h"
 #include "tests/render/scenes.h"
 
@@ -105,6 +106,13 @@ Reference integrate(const BsdfParameters& parameters, const EnvironmentLight& sk
           glm::normalize(glm::cross(n, std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
       const glm::dvec3 bitangent = glm::cross(n, tangent);
       const glm::vec3 wo(-glm::dot(d, tangent), -glm::dot(d, bitangent), -glm::dot(d, n));
+      // On a unit sphere normals turn by as much as a sample's footprint is long, across and along.
+      const double distance = -b - std::sqrt(b * b - c);
+      const double side =
+          distance / (camera.focalPixels() * glm::length(camera.direction({x + 0.5, y + 0.5})));
+      BsdfParameters look = parameters;
+      const auto variance = static_cast<float>(side * side * (1.0 + 1.0 / (wo.z * wo.z)) / 12.0);
+      broaden(look, variance, variance);
       glm::dvec3 diffuse(0.0);
       glm::dvec3 viewDependent(0.0);
       for (int i = 0; i < kHeights; ++i) {
@@ -116,7 +124,7 @@ Reference integrate(const BsdfParameters& parameters, const EnvironmentLight& sk
           const glm::vec3 wi(sine * std::cos(phi), sine * std::sin(phi), z);
           const glm::dvec3 world = double{wi.x} * tangent + double{wi.y} * bitangent + double{wi.z} * n;
           const glm::dvec3 light(sky.radiance(glm::vec3(world)));
-          const BsdfValue f = evaluateBsdf(parameters, wo, wi);
+          const BsdfValue f = evaluateBsdf(look, wo, wi);
           diffuse += glm::dvec3(f.diffuse) * light;
           viewDependent += glm::dvec3(f.viewDependent) * light;
         }

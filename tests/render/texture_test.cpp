@@ -368,5 +368,58 @@ TEST(TextureLibrary, FiltersForTheUsesOfAnImageThatWantIt) {
               0.0f, 1e-3f);
 }
 
+/// Normals that lean by 30 degrees to the right and to the left, column by column.
+Texel leaning(int x, int /*y*/) {
+  return {byteOf(x % 2 == 0 ? 191 : 64), 128, 238, 77};  // (0.5, 0, 0.866)
+}
+
+Texture ofNormals() {
+  Texture texture;
+  texture.encoding = TexelEncoding::kNormal;
+  return texture;
+}
+
+TEST(TextureLibrary, TellsHowFarNormalsVaryWithinAFootprint) {
+  const Scene scene = sceneOf({16, 16}, leaning, ofNormals());
+  const TextureLibrary library(scene);
+  const auto at = [&](float width) {
+    return library.sample(*scene.materials[0].baseColorTexture, {0.40625f, 0.40625f},
+                          TextureFootprint::round(width));
+  };
+  // Level 1 and all after it: half lean one way, half the other. Mean (0, 0, 0.866), variance 0.5^2.
+  for (const float width : {0.125f, 0.25f, 0.5f, 1.0f}) {
+    EXPECT_NEAR(at(width).r, 0.5f, 0.003f) << width;
+    EXPECT_NEAR(at(width).b, 0.933f, 0.003f) << width;
+    EXPECT_NEAR(at(width).a, 0.25f, 0.01f) << width;
+  }
+  // Finer than a texel nothing varies, whatever the image has for alpha.
+  EXPECT_EQ(at(0.0f).a, 0.0f);
+  EXPECT_EQ(at(0.03f).a, 0.0f);
+}
+
+TEST(TextureLibrary, TellsHowNormalsVaryAlongAFootprintThatIsLongAndThin) {
+  const auto halves = [](int x, int) { return leaning(x < 8 ? 0 : 1, 0); };
+  const Scene scene = sceneOf({16, 16}, halves, ofNormals());
+  const TextureLibrary library(scene);
+  // Eight lookups, each as wide as a texel; four of them in either half.
+  const glm::vec4 along = library.sample(*scene.materials[0].baseColorTexture, {0.5f, 0.5f},
+                                         {{0.5f, 0.0f}, {0.0f, 0.0625f}, Detail::kFull});
+  EXPECT_NEAR(along.a, 0.25f, 0.06f);
+  const glm::vec4 across = library.sample(*scene.materials[0].baseColorTexture, {0.25f, 0.5f},
+                                          {{0.0f, 0.5f}, {0.0625f, 0.0f}, Detail::kFull});
+  EXPECT_NEAR(across.a, 0.0f, 1e-6f);
+}
+
+TEST(TextureLibrary, FindsNoVarianceWhereAllNormalsAreAlike) {
+  const Scene scene = sceneOf(
+      {8, 6}, [](int, int) { return leaning(0, 0); }, ofNormals());
+  const TextureLibrary library(scene);
+  for (const float width : {0.0f, 0.2f, 0.7f, 2.0f}) {
+    EXPECT_NEAR(
+        library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.6f}, TextureFootprint::round(width)).a,
+        0.0f, 1e-6f);
+  }
+}
+
 }  // namespace
 }  // namespace promenade::render
