@@ -64,10 +64,10 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
   };
   const auto know = [&](ItemId id) -> Known {
     const ItemTraits traits = renderer.traits(id);
-    const Trust trust = verdict.failing.contains(id)  ? Trust::kNone
-                        : !traits.viewDependent       ? Trust::kWhole
-                        : verdict.proven.contains(id) ? Trust::kWhereBothAgree
-                                                      : Trust::kNone;
+    const Trust trust = verdict.failing.contains(id)                           ? Trust::kNone
+                        : !traits.viewDependent || verdict.steady.contains(id) ? Trust::kWhole
+                        : verdict.proven.contains(id)                          ? Trust::kWhereBothAgree
+                                                                               : Trust::kNone;
     return {trust, countFor(verdict.disputes, traits)};
   };
   ItemTable<Known> known;
@@ -113,7 +113,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     InbetweenSources used = std::move(sources);  // given back before anything is traced
     blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
                                     frameIndex, renderer, settings.warp);
-    blended.holes = holesAndSlantedGloss(blended, renderer);
+    blended.holes = holesAndSlantedGloss(blended, verdict.steady, renderer);
     disputed = std::move(used.keyframes.disputed);
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
                             verdict, renderer);

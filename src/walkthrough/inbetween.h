@@ -17,8 +17,8 @@ struct Retrace {
 
 /// A view-dependent item is traced unless the middle of the segment proved that its warped look passes:
 /// failing items, and items that could not be compared there. What of a proven item only one keyframe fills
-/// (`source`) is traced as well: the proof is for what both agree on. So are those of the `disputed` samples
-/// (disputedSamples()) that count by the verdict.
+/// (`source`) is traced as well, unless the item is steady: the proof is for what both agree on. So are those
+/// of the `disputed` samples (disputedSamples()) that count by the verdict.
 [[nodiscard]] Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
                                     const Mask& disputed, const ItemVerdict& verdict,
                                     const Renderer& renderer);

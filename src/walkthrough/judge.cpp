@@ -5,6 +5,7 @@
 
 #include "src/core/resolve.h"
 #include "src/walkthrough/item_table.h"
+#include "src/walkthrough/steady_items.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -203,6 +204,7 @@ Judged judgeWithout(Disputes disputes, const Segment& segment, const WarpedPair&
                       std::move(look.fromLast),
                       std::move(excluded),
                       std::move(look.metric)};
+  judgement.items.steady = steadyAmong(judgement.items.proven, warped);
   judgement.items.disputes = disputes;
   judgement.items.failing = judgement.items.failing.with(patterned);
   result.percentTraced = percentSelected(pair.excluded);

@@ -39,8 +39,9 @@ struct ItemVerdict {
   /// Compared, and more than the tolerance of their pixels differ visibly; with Disputes::kOfAllItems also
   /// those that look the same from everywhere and are widely disputed.
   ItemSet failing;
-  ItemSet proven;     ///< compared, and did not fail
-  ItemSet matt = {};  ///< of the failing: so does their diffuse layer by itself
+  ItemSet proven;       ///< compared, and did not fail
+  ItemSet steady = {};  ///< of the proven: hardly changes with the view (steady_items.h)
+  ItemSet matt = {};    ///< of the failing: so does their diffuse layer by itself
   /// Which disputed samples are traced throughout the segment.
   Disputes disputes = Disputes::kOfViewDependentItems;
 };

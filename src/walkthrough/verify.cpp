@@ -40,7 +40,7 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
-  blended.holes = holesAndSlantedGloss(blended, renderer);
+  blended.holes = holesAndSlantedGloss(blended, items.steady, renderer);
   const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
                                         middle.warped.disputed, items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
@@ -117,15 +117,13 @@ aqm::Result compare(const LuminanceMap& warped, const ContrastErrorMap& errors, 
 }
 
 ItemVerdict fail(const ItemVerdict& verdict, const ItemSet& caught) {
-  std::vector<ItemId> failing = verdict.failing.items();
-  failing.insert(failing.end(), caught.items().begin(), caught.items().end());
-  std::vector<ItemId> proven = verdict.proven.items();
-  std::erase_if(proven, [&](ItemId item) { return caught.contains(item); });
+  const auto without = [&](std::vector<ItemId> items) {
+    std::erase_if(items, [&](ItemId item) { return caught.contains(item); });
+    return ItemSet(std::move(items));
+  };
   // Which layer was wrong is not known.
-  std::vector<ItemId> matt = verdict.matt.items();
-  matt.insert(matt.end(), caught.items().begin(), caught.items().end());
-  return {ItemSet(std::move(failing)), ItemSet(std::move(proven)), ItemSet(std::move(matt)),
-          verdict.disputes};
+  return {verdict.failing.with(caught), without(verdict.proven.items()), without(verdict.steady.items()),
+          verdict.matt.with(caught), verdict.disputes};
 }
 
 }  // namespace

@@ -367,7 +367,8 @@ TEST(Clearcoat, IsNotBentByTheNormalMapUnderIt) {
   Scene scene;
   Material m = tests::diffuseMaterial(Rgb(0.0f));
   m.clearcoat = 1.0f;
-  const Texture tilted = tests::uniformTexture(scene, {230, 128, 180, 255});  // about 63 degrees
+  Texture tilted = tests::uniformTexture(scene, {230, 128, 180, 255});  // about 63 degrees
+  tilted.encoding = TexelEncoding::kNormal;
   Environment sky;
   sky.radiance = RadianceMap(Size{64, 32}, Rgb(0.0f));
   for (int y = 0; y < 32; ++y) {

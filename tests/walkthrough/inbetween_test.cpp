@@ -56,6 +56,17 @@ TEST_F(SelectRetrace, TracesWhatOfAProvenItemOneKeyframeAloneFills) {
   EXPECT_THAT(retrace.traced.items(), IsEmpty());
 }
 
+TEST_F(SelectRetrace, WarpsWhatOfASteadyItemOneKeyframeAloneFillsButNotWhatIsDisputed) {
+  source = SourceMap(4, 1, SampleSource::kWarpedFromNext);
+  holes = Mask(4, 1);
+  disputed(2, 0) = 1;
+  ItemVerdict verdict;
+  verdict.proven = verdict.steady = ItemSet({kPanel});
+  const Retrace retrace = selectRetrace(item, holes, source, disputed, verdict, renderer);
+  EXPECT_THAT(retrace.items.pixels(), ElementsAre(0, 0, 1, 0));
+  EXPECT_THAT(retrace.traced.items(), IsEmpty());
+}
+
 TEST_F(SelectRetrace, TracesWhatOfAProvenItemTheKeyframesContradictEachOtherIn) {
   disputed(1, 0) = disputed(2, 0) = 1;  // the panel, and a hole in it
   const Retrace retrace =
