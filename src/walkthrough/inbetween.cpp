@@ -18,10 +18,11 @@ std::uint64_t countSelected(const Mask& mask) {
 /// `target` becomes part of the result.
 ibr::Blended blendInTheOrderOfTime(const WarpedPair& keyframes, const std::vector<const Inbetween*>& others,
                                    Visibility&& target, const Segment& segment, int frameIndex,
-                                   const Renderer& renderer, const ibr::WarpSettings& settings) {
+                                   const ItemVerdict& verdict, const Renderer& renderer,
+                                   const ibr::WarpSettings& settings) {
   std::vector<ibr::BlendSource> ordered{{&keyframes.fromFirst, double(segment.first)},
                                         {&keyframes.fromLast, double(segment.last)}};
-  const Mask shared = sharedAmongInbetweens(target.item, renderer);
+  const Mask shared = sharedAmongInbetweens(target.item, verdict, renderer);
   std::vector<ibr::SampleGather> gathers;
   gathers.reserve(others.size());
   for (const Inbetween* other : others) {
@@ -64,10 +65,10 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
   };
   const auto know = [&](ItemId id) -> Known {
     const ItemTraits traits = renderer.traits(id);
-    const Trust trust = verdict.failing.contains(id)                           ? Trust::kNone
-                        : !traits.viewDependent || verdict.steady.contains(id) ? Trust::kWhole
-                        : verdict.proven.contains(id)                          ? Trust::kWhereBothAgree
-                                                                               : Trust::kNone;
+    const Trust trust = verdict.failing.contains(id)       ? Trust::kNone
+                        : verdict.looksTheSame(id, traits) ? Trust::kWhole
+                        : verdict.proven.contains(id)      ? Trust::kWhereBothAgree
+                                                           : Trust::kNone;
     return {trust, countFor(verdict.disputes, traits)};
   };
   ItemTable<Known> known;
@@ -91,10 +92,10 @@ Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap
   return retrace;
 }
 
-Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer) {
+Mask sharedAmongInbetweens(const ItemBuffer& item, const ItemVerdict& verdict, const Renderer& renderer) {
   Mask shared(item.size());
   ItemTable<bool> known;
-  const auto isShared = [&](ItemId id) { return !renderer.traits(id).viewDependent; };
+  const auto isShared = [&](ItemId id) { return verdict.looksTheSame(id, renderer.traits(id)); };
   for (std::size_t i = 0; i < item.pixels().size(); ++i) {
     shared.pixels()[i] = known.of(item.pixels()[i], isShared) ? 1 : 0;
   }
@@ -112,8 +113,8 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     const Stopwatch watch(seconds.warp);
     InbetweenSources used = std::move(sources);  // given back before anything is traced
     blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
-                                    frameIndex, renderer, settings.warp);
-    blended.holes = holesAndSlantedGloss(blended, verdict.steady, renderer);
+                                    frameIndex, verdict, renderer, settings.warp);
+    blended.holes = holesAndSlantedGloss(blended, verdict, renderer);
     disputed = std::move(used.keyframes.disputed);
     retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
                             verdict, renderer);

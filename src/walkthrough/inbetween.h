@@ -28,9 +28,10 @@ struct Inbetween {
   FrameStatistics statistics;  ///< without seconds
 };
 
-/// The samples that may come from other inbetweens: of items that look the same from everywhere. (Others are
+/// The samples that may come from other inbetweens: of items that ItemVerdict::looksTheSame(). (Others are
 /// traced, or were proven as a blend of both keyframes.)
-[[nodiscard]] Mask sharedAmongInbetweens(const ItemBuffer& item, const Renderer& renderer);
+[[nodiscard]] Mask sharedAmongInbetweens(const ItemBuffer& item, const ItemVerdict& verdict,
+                                         const Renderer& renderer);
 
 /// All that an inbetween is made of. Nothing in it that counts was warped itself.
 struct InbetweenSources {

@@ -44,6 +44,11 @@ struct ItemVerdict {
   ItemSet matt = {};    ///< of the failing: so does their diffuse layer by itself
   /// Which disputed samples are traced throughout the segment.
   Disputes disputes = Disputes::kOfViewDependentItems;
+
+  /// May what one source shows of it be shown from another place? `traits` are the item's.
+  [[nodiscard]] bool looksTheSame(ItemId item, const ItemTraits& traits) const {
+    return !traits.viewDependent || steady.contains(item);
+  }
 };
 
 /// `item`, `excluded`, `unverified` at display resolution. Only items for which `renderer` says viewDependent

@@ -19,12 +19,10 @@ float shareOfGloss(const Frame& frame, int x, int y) {
 
 }  // namespace
 
-Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemSet& steady, const Renderer& renderer) {
+Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemVerdict& verdict, const Renderer& renderer) {
   const Frame& frame = blended.frame;
   ItemTable<bool> known;
-  const auto isWarpedAnyway = [&](ItemId item) {
-    return !renderer.traits(item).viewDependent || steady.contains(item);
-  };
+  const auto isWarpedAnyway = [&](ItemId item) { return verdict.looksTheSame(item, renderer.traits(item)); };
   Mask selected = blended.holes.clone();
   for (int y = 0; y < selected.height(); ++y) {
     for (int x = 0; x < selected.width(); ++x) {

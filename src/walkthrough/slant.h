@@ -7,15 +7,15 @@
 
 #include "ibr/blend.h"
 #include "src/core/renderer.h"
-#include "src/walkthrough/item_set.h"
+#include "src/walkthrough/judge.h"
 
 namespace promenade::walkthrough {
 
 /// The holes of `blended`, and those of its samples that are as good as holes: filled by sources of one side
 /// in time alone, which saw the surface so much more or less slanted that a viewer could tell by its gloss.
-/// Items that count as view dependent and are not `steady` are not looked at: these are judged, and traced,
-/// by themselves.
-[[nodiscard]] Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemSet& steady,
+/// Items that count as view dependent, unless steady by the `verdict`, are not looked at: these are judged,
+/// and traced, by themselves.
+[[nodiscard]] Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemVerdict& verdict,
                                         const Renderer& renderer);
 
 }  // namespace promenade::walkthrough

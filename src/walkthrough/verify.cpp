@@ -40,7 +40,7 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
-  blended.holes = holesAndSlantedGloss(blended, items.steady, renderer);
+  blended.holes = holesAndSlantedGloss(blended, items, renderer);
   const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
                                         middle.warped.disputed, items, renderer);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};

@@ -96,9 +96,13 @@ TEST(SharedAmongInbetweens, IsWhatLooksTheSameFromEverywhere) {
   ItemBuffer item(3, 1, kWall);
   item(1, 0) = kPanel;
   item(2, 0) = kNoItem;
-  EXPECT_THAT(sharedAmongInbetweens(item, AnalyticRenderer{Panel::kMirrorLike}).pixels(),
-              ElementsAre(1, 0, 1));
-  EXPECT_THAT(sharedAmongInbetweens(item, AnalyticRenderer{Panel::kMatt}).pixels(), ElementsAre(1, 1, 1));
+  const AnalyticRenderer mirror{Panel::kMirrorLike};
+  const AnalyticRenderer matt{Panel::kMatt};
+  ItemVerdict steady;
+  steady.proven = steady.steady = ItemSet({kPanel});
+  EXPECT_THAT(sharedAmongInbetweens(item, {}, mirror).pixels(), ElementsAre(1, 0, 1));
+  EXPECT_THAT(sharedAmongInbetweens(item, {}, matt).pixels(), ElementsAre(1, 1, 1));
+  EXPECT_THAT(sharedAmongInbetweens(item, steady, mirror).pixels(), ElementsAre(1, 1, 1));
 }
 
 }  // namespace

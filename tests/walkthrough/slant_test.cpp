@@ -30,12 +30,12 @@ class SlantedGloss : public testing::Test {
   }
   [[nodiscard]] int isSelectedIfChangedBy(float change) {
     blended.slantChange = decltype(ibr::Blended::slantChange)(1, 1, change);
-    return holesAndSlantedGloss(blended, steady, renderer)(0, 0);
+    return holesAndSlantedGloss(blended, verdict, renderer)(0, 0);
   }
 
   AnalyticRenderer renderer{Panel::kMirrorLike};  // the panel; the wall looks the same from everywhere
   ibr::Blended blended;
-  ItemSet steady;
+  ItemVerdict verdict;
 };
 
 TEST_F(SlantedGloss, CountsIfItsChangeIsMoreThanFivePercentOfTheSample) {
@@ -55,7 +55,7 @@ TEST_F(SlantedGloss, DoesNotMatterWhereThereIsNone) {
 TEST_F(SlantedGloss, OfItemsThatCountAsViewDependentIsForTheirVerdict) {
   blended.frame.visibility.item(0, 0) = kPanel;
   EXPECT_EQ(isSelectedIfChangedBy(0.5f), 0);
-  steady = ItemSet({kPanel});  // ... unless that lets them be warped
+  verdict.steady = ItemSet({kPanel});  // ... unless that lets them be warped
   EXPECT_EQ(isSelectedIfChangedBy(0.5f), 1);
 }
 
