@@ -38,7 +38,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::string& hash, Existing ex
     : folder_(std::move(folder)) {
   for (const char* part : {"frames", "parts"}) makeFolder(folder_ / part);
   if (existing != Existing::kShare) {
-    for (const char* part : {"", "frames", "parts", "tasks", "keyframes"}) {
+    for (const char* part : {"", "frames", "parts", "tasks", "keyframes", "maps"}) {
       if (fs::is_directory(folder_ / part)) io::removeLeftoverTemporaries(folder_ / part);
     }
   }

@@ -67,6 +67,19 @@ TEST_F(Resume, AfterThirtyKillsAtRandomMomentsEndsLikeOneRun) {
   EXPECT_EQ(kills, 30);
 }
 
+TEST_F(Resume, ClearsAwayWhatAKilledRunWasWriting) {
+  const auto scene = writeScene(folder_, "scene", With::kAll);
+  const Arguments job = {"--frames", "0-4", "--maps", "--integrator", "path"};
+  expectDone(run(stoppable(scene, at("whole"), job)));
+  expectDone(run(stoppable(scene, at("out"), job)));
+  // Of a process whose number is larger than any that Linux gives.
+  for (const char* part : {"", "frames/", "parts/", "maps/"}) {
+    writeText(at(std::string("out/") + part + ".000002.exr.4194305-0.promenade-tmp"), "half a file");
+  }
+  expectDone(run(stoppable(scene, at("out"), job)));
+  expectSameResult(at("out"), at("whole"));
+}
+
 TEST_F(Resume, AfterAFullDiskGoesOnWhenThereIsRoom) {
   const auto scene = writeScene(folder_, "scene", With::kAll);
   const SmallDisk disk(at("disk"), "128k");
