@@ -17,9 +17,8 @@ struct SurfacePoint;
 [[nodiscard]] float normalVariance(const SurfacePoint& point, const Footprint& footprint);
 
 /// Perceptual roughness of the lobe that facets of `roughness` make whose mean normals vary: alpha^2 of GGX
-/// is twice the variance of slopes along one axis (Tokuyoshi and Kaplanyan 2019, eq. 6), so variances add up.
-/// At most 0.18 is added, since larger ones are of silhouettes, whose far side is not seen (the same, sec.
-/// 4).
+/// stands for twice the variance of slopes along one axis (Tokuyoshi and Kaplanyan 2019), so variances add
+/// up. At most 0.18 is added, as there: larger ones are of silhouettes, whose far side is not seen.
 [[nodiscard]] float broadenedRoughness(float roughness, float variance);
 
 /// The lobes of what is opaque, by the variance of its normals and of its clearcoat's. (What shines through
