@@ -47,7 +47,7 @@ struct Material {
   float metallic = 1.0f;
   float roughness = 1.0f;                           ///< perceptual; alpha of the microfacets is its square
   std::optional<Texture> metallicRoughnessTexture;  // G roughness, B metallic
-  std::optional<Texture> normalTexture;  // TexelEncoding::kNormal
+  std::optional<Texture> normalTexture;             // TexelEncoding::kNormal
   float normalScale = 1.0f;
   Rgb emission{0.0f};                      ///< emissiveFactor * KHR_materials_emissive_strength
   std::optional<Texture> emissionTexture;  // sRGB
