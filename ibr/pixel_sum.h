@@ -4,7 +4,6 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "ibr/sight.h"
 #include "src/core/image.h"
 
 namespace promenade::ibr {
@@ -12,7 +11,8 @@ namespace promenade::ibr {
 /// The mean over the square of the pixel. Samples of several frames come close to each other here and leave
 /// gaps there, by chance; weighing them alike would converge as slowly as chance does. So the pixel is cut
 /// into cells; a sample counts for the up to four cells around it by closeness to their middles, and the
-/// pixel is the mean of its cells. Nothing outside of the pixel enters, so nothing is softened.
+/// pixel is the mean of its cells, as a plane through them has it in the middle of the pixel: what lies to
+/// one side stands for that side only. Nothing outside of the pixel enters, so nothing is softened.
 class PixelSum {
  public:
   PixelSum() = default;
@@ -22,28 +22,23 @@ class PixelSum {
   /// A frame of this weight looks at the pixel: the sum of these is what weights of samples that fill it add
   /// up to, each being the area of a sample times the weight of its frame.
   void addWhole(float weight) { whole_ += weight; }
-  /// A sample at `place` in [0, 1) along x and y. kClearly or kPerhaps.
-  void add(glm::vec2 place, const Rgb& radiance, float weight, Seen seen);
+  /// A sample at `place` in [0, 1) along x and y.
+  void add(glm::vec2 place, const Rgb& radiance, float weight);
 
-  /// Black if nothing was added. An edge that hides a part of the samples that are seen perhaps leaves them
-  /// what the others do not cover.
+  /// Black if nothing was added; never beyond what the cells have.
   [[nodiscard]] Rgb mean() const;
 
  private:
-  struct Sum {
-    Rgb radiance{0.0f};
-    float weight = 0.0f;
-  };
+  /// Sums of shares of samples.
   struct Cell {
-    Sum certain;
-    Sum possible;
+    Rgb radiance{0.0f};
+    glm::vec2 place{0.0f};
+    float weight = 0.0f;
   };
 
   int edge_ = 0;
   std::vector<Cell> cells_;
   float whole_ = 0.0f;
-  float certain_ = 0.0f;
-  float possible_ = 0.0f;
 };
 
 }  // namespace promenade::ibr

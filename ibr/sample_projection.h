@@ -14,7 +14,7 @@ namespace promenade::ibr {
 struct ProjectedSample {
   Sighting sighting;     ///< kNot where its surface is seen from behind
   glm::vec2 position{};  ///< pixels of `to`; meaningful unless kOutside
-  float area = 0.0f;     ///< how many samples of `to` it covers, > 0; meaningful if seen
+  float area = 0.0f;     ///< how many samples of `to` it covers; not > 0: its surface is seen from behind
 };
 
 /// Keeps references to both.

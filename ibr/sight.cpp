@@ -42,16 +42,17 @@ Sighting Sight::operator()(glm::vec2 pixel, const SurfacePoint& point) const {
   const glm::vec2 corner = glm::floor(pixel - 0.5f);
   sighting.x = static_cast<int>(corner.x);
   sighting.y = static_cast<int>(corner.y);
-  bool isHidden = false;
   for (int k = 0; k < 4; ++k) {
     const int x = sighting.x + k % 2;
     const int y = sighting.y + k / 2;
     if (!visibility_.depth.contains(x, y)) continue;
     const Relation found = relation(x, y, point);
     if (found == Relation::kSame) sighting.agreeing = static_cast<std::uint8_t>(sighting.agreeing | 1U << k);
-    isHidden = isHidden || found == Relation::kInFront;
+    if (found == Relation::kInFront) sighting.hiding = static_cast<std::uint8_t>(sighting.hiding | 1U << k);
   }
-  sighting.seen = !isHidden ? Seen::kClearly : sighting.agreeing != 0 ? Seen::kPerhaps : Seen::kNot;
+  sighting.seen = sighting.hiding == 0     ? Seen::kClearly
+                  : sighting.agreeing != 0 ? Seen::kPerhaps
+                                           : Seen::kNot;
   return sighting;
 }
 

@@ -25,6 +25,7 @@ struct Sighting {
   int y = 0;
   /// Bit 2 j + i: sample (x+i, y+j) shows the surface of the point.
   std::uint8_t agreeing = 0;
+  std::uint8_t hiding = 0;  ///< likewise: it is in front of the point
 };
 
 /// Keeps a reference to the visibility.
@@ -39,10 +40,15 @@ class Sight {
 
   [[nodiscard]] float tolerance(float depth) const { return tolerance_(depth); }
 
- private:
-  enum class Relation : std::uint8_t { kSame, kInFront, kOther };
+  enum class Relation : std::uint8_t {
+    kSame,     ///< the sample shows the surface of the point
+    kInFront,  ///< it hides the point from its own place
+    kOther,    ///< neither
+  };
+  /// Precondition: sample (x, y) is in the frame.
   [[nodiscard]] Relation relation(int x, int y, const SurfacePoint& point) const;
 
+ private:
   const Visibility& visibility_;
   RayBasis rays_;
   SurfaceTolerance tolerance_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "ibr/coverage.h"
 #include "ibr/pixel_sum.h"
 #include "ibr/sample_projection.h"
 #include "src/core/errors.h"
@@ -37,8 +38,7 @@ TimeWeightMap timeWeights(const WindowMap& window, int framesAway) {
 struct Deposit {
   glm::ivec2 pixel{-1};   ///< outside of the image: nothing
   glm::vec2 place{0.0f};  ///< in the pixel, [0, 1)
-  Seen seen = Seen::kNot;
-  float area = 0.0f;  ///< display pixels
+  float area = 0.0f;      ///< display pixels
   Rgb radiance{0.0f};
 };
 
@@ -48,16 +48,17 @@ struct Rows {
   int end = 0;
 };
 
-/// The samples of another frame, in the image of the filtered one, and the other way round.
+/// The samples of another frame, in the image of the filtered one.
 class Transfer {
  public:
-  Transfer(const Frame& frame, const Frame& other, int supersample, const TemporalFilterSettings& settings)
+  Transfer(const Frame& frame, const Frame& other, const Coverage& coverage, int supersample,
+           const TemporalFilterSettings& settings)
       : frame_(frame),
         other_(other),
+        coverage_(coverage),
         supersample_(supersample),
         offset_(frame.visibility.camera.subpixelOffset()),
         there_(other.visibility, frame.visibility, settings.creaseDegrees),
-        back_(frame.visibility, other.visibility, settings.creaseDegrees),
         footprintLimit_(static_cast<float>(settings.footprintLimit)),
         slideLimit_(static_cast<float>(settings.slideLimit)) {}
 
@@ -65,13 +66,11 @@ class Transfer {
   [[nodiscard]] Deposit deposit(int x, int y) const {
     Deposit deposit;
     const ProjectedSample sample = there_(x, y);
-    const Seen seen = sample.sighting.seen;
-    if ((seen != Seen::kClearly && seen != Seen::kPerhaps) || sample.area > footprintLimit_) return deposit;
+    if (!isSeen(sample) || sample.area > footprintLimit_) return deposit;
     const glm::vec2 position = pixelPosition(sample.position);
     const glm::vec2 corner = glm::floor(position);
     deposit.pixel = glm::ivec2(corner);
     deposit.place = position - corner;
-    deposit.seen = seen;
     deposit.area = sample.area / static_cast<float>(supersample_ * supersample_);
     deposit.radiance = other_.diffuse(x, y) + viewDependent(x, y, sample.sighting, deposit.pixel);
     return deposit;
@@ -92,18 +91,21 @@ class Transfer {
     return rows;
   }
 
-  /// Whether the other frame has samples of what sample (x, y) of the filtered one shows, as far as it has
-  /// samples there at all.
-  [[nodiscard]] bool hasCounterpart(int x, int y) const {
-    const ProjectedSample sample = back_(x, y);
-    const Seen seen = sample.sighting.seen;
-    return (seen == Seen::kClearly || seen == Seen::kPerhaps) && sample.area * footprintLimit_ >= 1.0f;
-  }
-
  private:
   /// From samples of the filtered frame to display pixels.
   [[nodiscard]] glm::vec2 pixelPosition(glm::vec2 sample) const {
     return (sample + offset_) / static_cast<float>(supersample_);
+  }
+
+  /// What own samples around are in front of it hide it as far as their surfaces reach.
+  [[nodiscard]] bool isSeen(const ProjectedSample& sample) const {
+    const Sighting& sighting = sample.sighting;
+    if (sighting.seen == Seen::kOutside || !(sample.area > 0.0f)) return false;
+    for (int k = 0; k < 4; ++k) {
+      if (((sighting.hiding >> k) & 1) == 0) continue;
+      if (coverage_.reaches(sighting.x + k % 2, sighting.y + k / 2, sample.position)) return false;
+    }
+    return true;
   }
 
   /// The view-dependent layer of a sample of the other frame, as the filtered frame would see it: its own
@@ -138,10 +140,10 @@ class Transfer {
 
   const Frame& frame_;
   const Frame& other_;
+  const Coverage& coverage_;
   int supersample_;
   glm::vec2 offset_;
   SampleProjection there_;
-  SampleProjection back_;
   float footprintLimit_;
   float slideLimit_;
 };
@@ -149,9 +151,9 @@ class Transfer {
 /// Another frame, ready to be collected from.
 class Source {
  public:
-  Source(const Frame& frame, const NearbyFrame& other, int supersample, const WindowMap& window,
-         const TemporalFilterSettings& settings)
-      : transfer_(frame, *other.frame, supersample, settings),
+  Source(const Frame& frame, const NearbyFrame& other, const Coverage& coverage, int supersample,
+         const WindowMap& window, const TemporalFilterSettings& settings)
+      : transfer_(frame, *other.frame, coverage, supersample, settings),
         size_(other.frame->diffuse.size()),
         weights_(timeWeights(window, other.framesAway)),
         reached_(static_cast<std::size_t>(size_.height)) {
@@ -160,7 +162,6 @@ class Source {
   }
 
   [[nodiscard]] float weight(int x, int y) const { return weights_(x, y); }
-  [[nodiscard]] bool hasCounterpart(int x, int y) const { return transfer_.hasCounterpart(x, y); }
 
   /// Calls collect(const Deposit&) for what falls into these rows of pixels, in the order of samples.
   template <class Collect>
@@ -191,20 +192,14 @@ class PixelBand {
         supersample_(supersample),
         rows_(rows),
         pixels_(Size{frame.diffuse.width() / supersample, rows.end - rows.first}, PixelSum(2 * supersample)) {
-    forEachPixel([&](int x, int y) { addOwn(x, y, 1.0f, [](int, int) { return true; }); });
+    forEachPixel([&](int x, int y) { addOwn(x, y); });
   }
 
   void add(const Source& source) {
+    forEachPixel([&](int x, int y) { pixel(x, y).addWhole(source.weight(x, y)); });
     source.forEachIn(rows_, [&](const Deposit& deposit) {
       const float weight = source.weight(deposit.pixel.x, deposit.pixel.y) * deposit.area;
-      if (weight > 0.0f) {
-        pixel(deposit.pixel.x, deposit.pixel.y).add(deposit.place, deposit.radiance, weight, deposit.seen);
-      }
-    });
-    // What the other frame does not see of this one stands for itself, or else the rest of its pixel would
-    // grow over it.
-    forEachPixel([&](int x, int y) {
-      addOwn(x, y, source.weight(x, y), [&](int i, int j) { return !source.hasCounterpart(i, j); });
+      if (weight > 0.0f) pixel(deposit.pixel.x, deposit.pixel.y).add(deposit.place, deposit.radiance, weight);
     });
   }
 
@@ -222,21 +217,18 @@ class PixelBand {
 
   [[nodiscard]] PixelSum& pixel(int x, int y) { return pixels_(x, y - rows_.first); }
 
-  /// The frame's own samples of a pixel that `isWanted`.
-  template <class IsWanted>
-  void addOwn(int x, int y, float weight, const IsWanted& isWanted) {
-    if (weight == 0.0f) return;
+  /// The frame's own samples of a pixel.
+  void addOwn(int x, int y) {
     PixelSum& sum = pixel(x, y);
-    sum.addWhole(weight);
+    sum.addWhole(1.0f);
     const auto edge = static_cast<float>(supersample_);
     const glm::vec2 offset(frame_.visibility.camera.subpixelOffset());
     for (int k = 0; k < supersample_ * supersample_; ++k) {
       const glm::ivec2 cell(k % supersample_, k / supersample_);
       const glm::ivec2 sample = glm::ivec2(x, y) * supersample_ + cell;
-      if (!isWanted(sample.x, sample.y)) continue;
       sum.add((glm::vec2(cell) + 0.5f + offset) / edge,
               frame_.diffuse(sample.x, sample.y) + frame_.viewDependent(sample.x, sample.y),
-              weight / (edge * edge), Seen::kClearly);
+              1.0f / (edge * edge));
     }
   }
 
@@ -271,12 +263,17 @@ RadianceMap temporalFilter(const Frame& frame, int supersample, std::span<const 
                    "limits above 0");
   for (const float deviation : window.pixels()) requireForFilter(deviation > 0.0f, "windows above 0 frames");
 
-  std::vector<Source> sources;
-  sources.reserve(others.size());
+  std::vector<const Visibility*> visibilities;
   for (const NearbyFrame& other : others) {
     requireForFilter(isWhole(*other.frame), "maps of the size of the other frame's camera");
     requireForFilter(other.framesAway != 0, "other frames than the filtered one");
-    sources.emplace_back(frame, other, supersample, window, settings);
+    visibilities.push_back(&other.frame->visibility);
+  }
+  const Coverage coverage(frame.visibility, visibilities, settings.creaseDegrees);
+  std::vector<Source> sources;
+  sources.reserve(others.size());
+  for (const NearbyFrame& other : others) {
+    sources.emplace_back(frame, other, coverage, supersample, window, settings);
   }
   RadianceMap pixels(window.size());
   constexpr int kBand = 8;

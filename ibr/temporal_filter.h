@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "ibr/crease.h"
 #include "src/core/frame.h"
 
 namespace promenade::ibr {

@@ -50,6 +50,7 @@ TEST(Sight, CannotTellBesideAnEdge) {
   const Sighting found = look(wallAndPost(), {-0.001f, 0.1f, -4.0f}, 1, kTowardsEye);
   EXPECT_EQ(found.seen, Seen::kPerhaps);
   EXPECT_EQ(found.agreeing, 0b0101);
+  EXPECT_EQ(found.hiding, 0b1010);
   // Of the nearer surface there is no doubt.
   EXPECT_EQ(look(wallAndPost(), {0.001f, 0.1f, -2.0f}, 2, kTowardsEye).seen, Seen::kClearly);
 }
