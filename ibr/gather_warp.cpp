@@ -1,5 +1,7 @@
 #include <tbb/parallel_for.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "ibr/reconstruction.h"
@@ -33,8 +35,11 @@ class SampleGather::Gather {
   Gather(const Frame& source, const Visibility& target, const Mask& wanted, const WarpSettings& settings)
       : source_(source),
         wanted_(wanted),
+        target_(target),
+        targetRays_(target.camera),
         targetSize_(target.camera.size()),
         footprintLimit_(settings.footprintLimit),
+        grazingCosine_(static_cast<float>(settings.grazingCosine)),
         surface_(source, target.camera.pose().eye, settings.creaseDegrees),
         lookup_(source, target, settings) {}
 
@@ -43,6 +48,7 @@ class SampleGather::Gather {
     const Found found = lookup_(x, y);
     WarpedSample sample{found.validity, found.footprint};
     if (found.validity == Validity::kValid || found.validity == Validity::kUndersampled) {
+      if (isGrazing(x, y) && !isAmidAgreeing(found)) sample.validity = Validity::kUndersampled;
       const LayeredRadiance radiance = reconstruct(found.at, found.point);
       sample.diffuse = radiance.diffuse;
       sample.viewDependent = radiance.viewDependent;
@@ -54,6 +60,16 @@ class SampleGather::Gather {
   [[nodiscard]] glm::dvec3 eye() const { return source_.visibility.camera.pose().eye; }
 
  private:
+  [[nodiscard]] bool isGrazing(int x, int y) const {
+    if (grazingCosine_ == 0.0f || target_.item(x, y) == kNoItem) return false;
+    const glm::vec3 ray = targetRays_.through(x, y);
+    return std::abs(glm::dot(target_.normal(x, y), ray)) < grazingCosine_ * glm::length(ray);
+  }
+  /// Or on a sample.
+  [[nodiscard]] bool isAmidAgreeing(const Found& found) const {
+    if (found.at.fraction == glm::vec2(0.0f) || surface_.isSmoothBlock(found.at.x, found.at.y)) return true;
+    return (usable(found.at, found.point) & kInnerNeighbours) == kInnerNeighbours;
+  }
   /// Precondition: the nearest sample agrees.
   [[nodiscard]] LayeredRadiance reconstruct(const Between& at, const SurfacePoint& point) const {
     // On a sample: that sample bit for bit.
@@ -79,8 +95,11 @@ class SampleGather::Gather {
 
   const Frame& source_;
   const Mask& wanted_;
+  const Visibility& target_;
+  RayBasis targetRays_;
   Size targetSize_;
   double footprintLimit_;
+  float grazingCosine_;
   SourceSurface surface_;
   SourceLookup lookup_;
 };
@@ -127,6 +146,10 @@ void requireValid(const Frame& source, const WarpSettings& settings) {
   if (!(settings.creaseDegrees > 0.0 && settings.creaseDegrees <= 180.0)) {
     throw InputError("warp: crease angle",
                      "expected degrees in (0, 180], found " + std::to_string(settings.creaseDegrees));
+  }
+  if (!(settings.grazingCosine >= 0.0 && settings.grazingCosine <= 1.0)) {
+    throw InputError("warp: grazing cosine",
+                     "expected a number in [0, 1], found " + std::to_string(settings.grazingCosine));
   }
 }
 

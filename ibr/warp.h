@@ -48,6 +48,10 @@ struct WarpSettings {
   /// mirrors is turned by twice that, so of these the sample that answers may be turned by half the crease
   /// angle only.
   std::function<bool(ItemId)> viewDependent = {};
+  /// A target sample that sees its surface at a smaller cosine to the normal is valid only amid four source
+  /// samples that agree, else undersampled: there samples are far apart on the surface, and what lies between
+  /// them is not known from one. In [0, 1].
+  double grazingCosine = 0.0;
 };
 
 /// Fetches each target sample from `source`, of whose samples only the ray-traced ones count (kTraced,

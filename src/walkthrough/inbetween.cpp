@@ -10,6 +10,10 @@
 namespace promenade::walkthrough {
 namespace {
 
+/// 78 degrees. What another inbetween traced is often one sample wide, beside an edge. A keyframe has the
+/// neighbours, and there are two of them.
+constexpr double kGrazingOfShared = 0.2;
+
 std::uint64_t countSelected(const Mask& mask) {
   return static_cast<std::uint64_t>(
       std::count_if(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; }));
@@ -25,8 +29,10 @@ ibr::Blended blendInTheOrderOfTime(const WarpedPair& keyframes, const std::vecto
   const Mask shared = sharedAmongInbetweens(target.item, verdict, renderer);
   std::vector<ibr::SampleGather> gathers;
   gathers.reserve(others.size());
+  ibr::WarpSettings ofShared = settings;
+  ofShared.grazingCosine = kGrazingOfShared;
   for (const Inbetween* other : others) {
-    gathers.emplace_back(other->frame, target, shared, settings);
+    gathers.emplace_back(other->frame, target, shared, ofShared);
     ordered.push_back({&gathers.back(), double(other->statistics.index)});
   }
   std::sort(ordered.begin(), ordered.end(),

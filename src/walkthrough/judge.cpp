@@ -40,6 +40,10 @@ double percentSelected(const Mask& mask) {
   return 100.0 * static_cast<double>(selected) / static_cast<double>(mask.size().area());
 }
 
+/// Display pixels. Of an item with fewer that are compared nothing is proven: a glint on it may be in other
+/// frames than the middle, and in neither keyframe.
+constexpr std::size_t kFewestOfProof = 25;
+
 struct Look {
   EncodedMap fromFirst;
   EncodedMap fromLast;
@@ -135,7 +139,11 @@ ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item
   for (const auto& [id, count] : counts) {
     if (!count.viewDependent) continue;
     const double percent = 100.0 * static_cast<double>(count.visible) / static_cast<double>(count.compared);
-    (percent > tolerancePercent ? failing : proven).push_back(id);
+    if (percent > tolerancePercent) {
+      failing.push_back(id);
+    } else if (count.compared >= kFewestOfProof) {
+      proven.push_back(id);
+    }
   }
   return {ItemSet(std::move(failing)), ItemSet(std::move(proven))};
 }

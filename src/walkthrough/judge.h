@@ -39,7 +39,7 @@ struct ItemVerdict {
   /// Compared, and more than the tolerance of their pixels differ visibly; with Disputes::kOfAllItems also
   /// those that look the same from everywhere and are widely disputed.
   ItemSet failing;
-  ItemSet proven;       ///< compared, and did not fail
+  ItemSet proven;       ///< compared on enough pixels, and did not fail
   ItemSet steady = {};  ///< of the proven: hardly changes with the view (steady_items.h)
   ItemSet matt = {};    ///< of the failing: so does their diffuse layer by itself
   /// Which disputed samples are traced throughout the segment.
@@ -52,8 +52,7 @@ struct ItemVerdict {
 };
 
 /// `item`, `excluded`, `unverified` at display resolution. Only items for which `renderer` says viewDependent
-/// are listed; those without a single pixel that both keyframes fill are in neither set: nothing is known of
-/// them.
+/// are listed; of those with few pixels (25) that both keyframes fill nothing is known unless they fail.
 [[nodiscard]] ItemVerdict judgeItems(const ProbabilityMap& probability, const ItemBuffer& item,
                                      const Mask& excluded, const Mask& unverified, const Renderer& renderer,
                                      double tolerancePercent);

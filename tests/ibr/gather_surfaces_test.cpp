@@ -185,6 +185,32 @@ TEST(GatherWarp, DoesNotTearSurfacesSeenAtAGrazingAngle) {
             1.0);
 }
 
+TEST(GatherWarp, IsWaryOfLoneSamplesAtAGrazingAngleWhereItIsAskedTo) {
+  // The side of a board, from 4.1 to 4.8 m away and 0.5 m to the right: with a focal length of 60 from pixel
+  // 40
+  // + 60 x 0.5 / 4.8 = 46.25 to 47.32, one sample wide, at the cosine 6.5 / 60 = 0.11. A second board shows
+  // its side at 0.5 / 1.0: 60 x 1 / 2.4 to 60 x 1 / 1.8 pixels, eight of them, at cosines above 0.38.
+  const AnalyticScene scene =
+      AnalyticScene()
+          .add(1, rectangle({0.5, -2, -4.1}, {0, 0, -0.7}, {0, 4, 0}), uniform(Rgb(1)))
+          .add(2, rectangle({-1, -2, -1.8}, {0, 4, 0}, {0, 0, -0.6}), uniform(Rgb(1)));
+  const Size size{80, 60};
+  const Frame source = scene.render(cameraAt({0.002, 0.01, 0}, size, 60.0));
+  const Visibility target = scene.visibility(cameraAt({0, 0, 0}, size, 60.0));
+  const auto answered = [&](ItemId item, double grazingCosine) {
+    const Warped warped = gatherWarp(source, target, WarpSettings{.grazingCosine = grazingCosine});
+    int count = 0;
+    for (std::size_t i = 0; i < target.item.pixels().size(); ++i) {
+      if (target.item.pixels()[i] == item && warped.validity.pixels()[i] == Validity::kValid) ++count;
+    }
+    return count;
+  };
+  EXPECT_GT(answered(1, 0.0), 20);
+  EXPECT_EQ(answered(1, 0.2), 0);
+  EXPECT_GT(answered(2, 0.0), 200);
+  EXPECT_EQ(answered(2, 0.2), answered(2, 0.0));
+}
+
 TEST(GatherWarp, MakesAStretchedSurfaceAHoleWithoutCracks) {
   // A wall seen along itself by the source, and from the front by the target: every sample it covers there is
   // stretched.

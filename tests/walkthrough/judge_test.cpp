@@ -100,14 +100,14 @@ TEST(ResolveMask, SelectsAPixelWithMoreThanHalfOfItsSamples) {
 class JudgeItems : public testing::Test {
  protected:
   AnalyticRenderer renderer{Panel::kMirrorLike};
-  ProbabilityMap probability{10, 1};
-  ItemBuffer item{10, 1, kPanel};
-  Mask excluded{10, 1};
-  Mask unverified{10, 1};
+  ProbabilityMap probability{30, 1};
+  ItemBuffer item{30, 1, kPanel};
+  Mask excluded{30, 1};
+  Mask unverified{30, 1};
 };
 
 TEST_F(JudgeItems, FailsAnItemWithMoreVisiblePixelsThanTheTolerance) {
-  probability(3, 0) = probability(4, 0) = 0.9f;  // 20 per cent
+  for (int x = 0; x < 6; ++x) probability(x, 0) = 0.9f;  // 20 per cent
   EXPECT_THAT(judgeItems(probability, item, excluded, unverified, renderer, 19.0).failing.items(),
               ElementsAre(kPanel));
   EXPECT_THAT(judgeItems(probability, item, excluded, unverified, renderer, 20.0).failing.items(), IsEmpty());
@@ -117,17 +117,30 @@ TEST_F(JudgeItems, FailsAnItemWithMoreVisiblePixelsThanTheTolerance) {
 
 TEST_F(JudgeItems, NeverListsItemsThatLookTheSameFromEverywhere) {
   const AnalyticRenderer matt{Panel::kMatt};
-  probability = ProbabilityMap(10, 1, 1.0f);
+  probability = ProbabilityMap(30, 1, 1.0f);
   const ItemVerdict verdict = judgeItems(probability, item, excluded, unverified, matt, 1.0);
   EXPECT_TRUE(verdict.failing.empty());
   EXPECT_TRUE(verdict.proven.empty());
 }
 
 TEST_F(JudgeItems, KnowsNothingOfItemsThatCouldNotBeCompared) {
-  unverified = Mask(10, 1, 1);
+  unverified = Mask(30, 1, 1);
   const ItemVerdict verdict = judgeItems(probability, item, excluded, unverified, renderer, 1.0);
   EXPECT_TRUE(verdict.failing.empty());
   EXPECT_TRUE(verdict.proven.empty());
+}
+
+TEST_F(JudgeItems, TakeNothingForProvenByTheLookOfAFewPixels) {
+  for (int x = 24; x < 30; ++x) item(x, 0) = kNoItem;
+  const auto verdict = [&] { return judgeItems(probability, item, excluded, unverified, renderer, 3.0); };
+  EXPECT_TRUE(verdict().proven.empty());
+  EXPECT_TRUE(verdict().failing.empty());
+  item(24, 0) = kPanel;
+  EXPECT_THAT(verdict().proven.items(), ElementsAre(kPanel));
+  // One of 24 is more than 3 per cent.
+  item(24, 0) = kNoItem;
+  probability(0, 0) = 0.9f;
+  EXPECT_THAT(verdict().failing.items(), ElementsAre(kPanel));
 }
 
 Settings settingsFor(Size size) {
