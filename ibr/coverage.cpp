@@ -5,6 +5,12 @@
 #include <glm/geometric.hpp>
 
 namespace promenade::ibr {
+namespace {
+
+/// Square of a tenth of a sample: what is closer says no more.
+constexpr float kLeastSquaredDistance = 0.01f;
+
+}  // namespace
 
 Coverage::Coverage(const Visibility& frame, std::span<const Visibility* const> others, double creaseDegrees)
     : frame_(frame), rays_(frame.camera) {
@@ -30,12 +36,13 @@ bool Coverage::reaches(int x, int y, glm::vec2 place) const {
   // A plane that is seen edge-on would be anywhere a sample further.
   const float depth = frame_.depth(x, y) * (steepness > 0.5f && steepness < 2.0f ? steepness : 1.0f);
 
-  int show = 0;
-  int showOther = 0;
+  float show = 0.0f;
+  float showOther = 0.0f;
   for (const Witness& asked : witnesses_) {
     const auto shift = asked.reproject(place, 1.0f / depth);
     if (!(shift.depthRatio > 0.0f)) continue;
-    const glm::vec2 nearest = glm::floor(place + shift.pixels);
+    const glm::vec2 position = place + shift.pixels;
+    const glm::vec2 nearest = glm::floor(position);
     const Size size = asked.visibility->camera.size();
     if (!(nearest.x >= 0.0f && nearest.y >= 0.0f && nearest.x < static_cast<float>(size.width) &&
           nearest.y < static_cast<float>(size.height))) {
@@ -43,18 +50,20 @@ bool Coverage::reaches(int x, int y, glm::vec2 place) const {
     }
     point.fromSourceEye = depth * ray + asked.eyeShift;
     point.tolerance = asked.sight.tolerance(depth * shift.depthRatio);
+    const glm::vec2 away = position - nearest - 0.5f;
+    const float closeness = 1.0f / (glm::dot(away, away) + kLeastSquaredDistance);
     switch (asked.sight.relation(static_cast<int>(nearest.x), static_cast<int>(nearest.y), point)) {
       case Sight::Relation::kSame:
-        ++show;
+        show += closeness;
         break;
       case Sight::Relation::kOther:
-        ++showOther;
+        showOther += closeness;
         break;
       case Sight::Relation::kInFront:
         break;
     }
   }
-  return show > showOther || showOther == 0;
+  return show > showOther || showOther == 0.0f;
 }
 
 }  // namespace promenade::ibr

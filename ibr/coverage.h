@@ -22,8 +22,8 @@ class Coverage {
   /// Whether the surface of sample (x, y) of the frame, not background, goes on to `place` (pixels of the
   /// frame, about a sample away). Each frame is asked for its sample that is nearest to where the tangent
   /// plane has that place: it shows the surface, or what is beside or behind it, or something in front, which
-  /// says nothing. The surface reaches as far as most of those show it that can tell; places of their samples
-  /// differ, so that is to a part of a sample. Where none can tell, it goes on.
+  /// says nothing. They count by 1 / d^2, d being how far from the place their sample is (Shepard 1968): the
+  /// surface reaches as far as those that show it outweigh the others. Where none can tell, it goes on.
   [[nodiscard]] bool reaches(int x, int y, glm::vec2 place) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ using TimeWeightMap = Map<struct TimeWeightTag, float>;
 
 /// Frames that weigh less than this beside the filtered one are left out.
 constexpr float kLeastWeight = 0.02f;
+
+/// Sighting::hiding: all four.
+constexpr std::uint8_t kAllAround = 0b1111;
 
 TimeWeightMap timeWeights(const WindowMap& window, int framesAway) {
   TimeWeightMap weights(window.size());
@@ -48,7 +52,7 @@ struct Rows {
   int end = 0;
 };
 
-/// The samples of another frame, in the image of the filtered one.
+/// The samples of another frame, in the image of the filtered one, and the other way round.
 class Transfer {
  public:
   Transfer(const Frame& frame, const Frame& other, const Coverage& coverage, int supersample,
@@ -59,6 +63,7 @@ class Transfer {
         supersample_(supersample),
         offset_(frame.visibility.camera.subpixelOffset()),
         there_(other.visibility, frame.visibility, settings.creaseDegrees),
+        back_(frame.visibility, other.visibility, settings.creaseDegrees),
         footprintLimit_(static_cast<float>(settings.footprintLimit)),
         slideLimit_(static_cast<float>(settings.slideLimit)) {}
 
@@ -74,6 +79,14 @@ class Transfer {
     deposit.area = sample.area / static_cast<float>(supersample_ * supersample_);
     deposit.radiance = other_.diffuse(x, y) + viewDependent(x, y, sample.sighting, deposit.pixel);
     return deposit;
+  }
+
+  /// Whether the other frame has something in front of what sample (x, y) of the filtered one shows, all
+  /// around, or sees it from behind.
+  [[nodiscard]] bool isBlindTo(int x, int y) const {
+    const ProjectedSample sample = back_(x, y);
+    if (sample.sighting.seen == Seen::kOutside) return false;
+    return sample.sighting.hiding == kAllAround || !(sample.area > 0.0f);
   }
 
   /// The rows of pixels that row `y` of the other frame's samples reaches, as far as they are in the image.
@@ -144,6 +157,7 @@ class Transfer {
   int supersample_;
   glm::vec2 offset_;
   SampleProjection there_;
+  SampleProjection back_;
   float footprintLimit_;
   float slideLimit_;
 };
@@ -162,6 +176,7 @@ class Source {
   }
 
   [[nodiscard]] float weight(int x, int y) const { return weights_(x, y); }
+  [[nodiscard]] bool isBlindTo(int x, int y) const { return transfer_.isBlindTo(x, y); }
 
   /// Calls collect(const Deposit&) for what falls into these rows of pixels, in the order of samples.
   template <class Collect>
@@ -192,14 +207,17 @@ class PixelBand {
         supersample_(supersample),
         rows_(rows),
         pixels_(Size{frame.diffuse.width() / supersample, rows.end - rows.first}, PixelSum(2 * supersample)) {
-    forEachPixel([&](int x, int y) { addOwn(x, y); });
+    forEachPixel([&](int x, int y) { addOwn(x, y, 1.0f, [](int, int) { return true; }); });
   }
 
   void add(const Source& source) {
-    forEachPixel([&](int x, int y) { pixel(x, y).addWhole(source.weight(x, y)); });
     source.forEachIn(rows_, [&](const Deposit& deposit) {
       const float weight = source.weight(deposit.pixel.x, deposit.pixel.y) * deposit.area;
       if (weight > 0.0f) pixel(deposit.pixel.x, deposit.pixel.y).add(deposit.place, deposit.radiance, weight);
+    });
+    // What the other frame is blind to stands for itself, or else the rest of its pixel would grow over it.
+    forEachPixel([&](int x, int y) {
+      addOwn(x, y, source.weight(x, y), [&](int i, int j) { return source.isBlindTo(i, j); });
     });
   }
 
@@ -217,18 +235,21 @@ class PixelBand {
 
   [[nodiscard]] PixelSum& pixel(int x, int y) { return pixels_(x, y - rows_.first); }
 
-  /// The frame's own samples of a pixel.
-  void addOwn(int x, int y) {
+  /// The frame's own samples of a pixel that `isWanted`.
+  template <class IsWanted>
+  void addOwn(int x, int y, float weight, const IsWanted& isWanted) {
+    if (weight == 0.0f) return;
     PixelSum& sum = pixel(x, y);
-    sum.addWhole(1.0f);
+    sum.addWhole(weight);
     const auto edge = static_cast<float>(supersample_);
     const glm::vec2 offset(frame_.visibility.camera.subpixelOffset());
     for (int k = 0; k < supersample_ * supersample_; ++k) {
       const glm::ivec2 cell(k % supersample_, k / supersample_);
       const glm::ivec2 sample = glm::ivec2(x, y) * supersample_ + cell;
+      if (!isWanted(sample.x, sample.y)) continue;
       sum.add((glm::vec2(cell) + 0.5f + offset) / edge,
               frame_.diffuse(sample.x, sample.y) + frame_.viewDependent(sample.x, sample.y),
-              1.0f / (edge * edge));
+              weight / (edge * edge));
     }
   }
 

@@ -1,5 +1,6 @@
 #include "src/app/preparation.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "src/app/fingerprint.h"
@@ -89,6 +90,14 @@ Solution lightAsBefore(const LoadedJob& job, const OutputFolder& folder, const P
   return solution;
 }
 
+// Frames that are traced whole and filtered together have so many times more samples in a pixel, and what a
+// sample averages is not to be softer than these tell apart. (Inbetweens have the textures of two keyframes,
+// however many frames look at them.)
+float sampleWidthOf(const walkthrough::Settings& settings) {
+  if (!settings.antialiasing || settings.method != walkthrough::Method::kFull) return 1.0f;
+  return 1.0f / std::sqrt(static_cast<float>(settings.antialiasing->frames()));
+}
+
 }  // namespace
 
 std::unique_ptr<Renderer> rendererOf(const LoadedJob& job,
@@ -97,6 +106,7 @@ std::unique_ptr<Renderer> rendererOf(const LoadedJob& job,
       job.scene, {.pathsPerSample = job.values.pathsPerSample.value_or(render::PathSettings{}.pathsPerSample),
                   .seed = job.values.seed,
                   .threads = threads,
+                  .sampleWidth = sampleWidthOf(job.settings),
                   .solution = std::move(solution),
                   .checkpoint = [] { throwIfInterrupted(); }});
 }

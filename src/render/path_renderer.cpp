@@ -218,7 +218,7 @@ class PathRenderer final : public Renderer {
                  const Store& store) const {
     if (samples.count() == 0) return;
     PathRays rays;
-    const float pixelWidth = static_cast<float>(1.0 / camera.focalPixels());
+    const float pixelWidth = settings_.sampleWidth / static_cast<float>(camera.focalPixels());
     samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const PrimaryHit& primary) {
       const auto& [ray, hit, normal] = primary;
       ShadedSample sample;

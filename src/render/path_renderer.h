@@ -42,6 +42,9 @@ struct PathSettings {
   int maxBounces = 8;       ///< scatterings along a path, >= 0; 0: emission only, 1: direct light
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0 = all
+  /// Width of what a sample stands for, over which textures and bumps are averaged, in distances between
+  /// samples, > 0. Below 1 for frames whose samples are put together with those of other frames.
+  float sampleWidth = 1.0f;
   /// Most that one path may add to a sample after its first scattering, per channel. Finite values trade
   /// energy for the absence of bright dots (biased).
   float indirectLimit = std::numeric_limits<float>::infinity();

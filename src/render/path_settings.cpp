@@ -20,6 +20,7 @@ void requireGood(const PathSettings& settings) {
                  "maxBounces: expected at least 0, found " + std::to_string(settings.maxBounces));
   requireSetting(settings.threads >= 0,
                  "threads: expected at least 0, found " + std::to_string(settings.threads));
+  requireSetting(settings.sampleWidth > 0.0f, "sampleWidth: expected more than 0");
   requireSetting(settings.indirectLimit > 0.0f, "indirectLimit: expected more than 0");
   requireSetting(settings.leastIndirectRoughness >= 0.0f && settings.leastIndirectRoughness <= 1.0f,
                  "leastIndirectRoughness: expected a number from 0 to 1");

@@ -16,6 +16,7 @@
 
 #include "src/core/display.h"
 #include "src/core/errors.h"
+#include "src/render/path_renderer.h"
 #include "src/render/texture_input_internal.h"
 #include "tests/render/scenes.h"
 
@@ -419,6 +420,41 @@ TEST(TextureLibrary, FindsNoVarianceWhereAllNormalsAreAlike) {
         library.sample(*scene.materials[0].baseColorTexture, {0.3f, 0.6f}, TextureFootprint::round(width)).a,
         0.0f, 1e-6f);
   }
+}
+
+TEST(SampleWidth, SaysOverHowMuchASampleAverages) {
+  // A picture of noise that shines, one texel in a quarter of a sample. The middle one of 3 x 3 finer samples
+  // looks at the same point and averages a third as far.
+  std::mt19937 random(7);
+  Scene scene = sceneOf({64, 64}, [&](int, int) { return grey(static_cast<int>(random() % 256)); });
+  scene.materials[0].emission = Rgb(1.0f);
+  std::swap(scene.materials[0].baseColorTexture, scene.materials[0].emissionTexture);
+  scene.materials[0].baseColor = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  tests::place(scene, tests::quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 0));
+  const Camera camera = tests::lookingAt({0, 0, 2}, {0, 0, 0}, {16, 16}, 0.9);
+  const auto rendered = [&](const Camera& seen, float sampleWidth) {
+    PathSettings settings;
+    settings.pathsPerSample = 1;
+    settings.sampleWidth = sampleWidth;
+    return combinedRadiance(makePathRenderer(scene, settings)->render(seen, 0));
+  };
+  const RadianceMap fine = rendered(camera.supersampled(3), 1.0f);
+  const RadianceMap narrow = rendered(camera, 1.0f / 3.0f);
+  const RadianceMap wide = rendered(camera, 1.0f);
+  double difference = 0.0;
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const float expected = fine(3 * x + 1, 3 * y + 1).g;
+      EXPECT_NEAR(narrow(x, y).g, expected, 2e-3f) << x << " " << y;
+      difference += std::abs(wide(x, y).g - expected) / 256.0;
+    }
+  }
+  EXPECT_GT(difference, 0.05);
+}
+
+TEST(SampleWidth, IsMoreThanNothing) {
+  const Scene scene = sceneOf({1, 1}, [](int, int) { return grey(1); });
+  EXPECT_THROW((void)makePathRenderer(scene, {.sampleWidth = 0.0f}), InputError);
 }
 
 }  // namespace

@@ -211,9 +211,9 @@ TEST_P(Antialiased, FourSamplesAPixelAreAsGoodAsSixteen) {
 // Then a texture of hard stripes that nothing has filtered, which a renderer would not leave like this: at a
 // run the error of chance places exceeds that of a regular grid that is aligned with the pixel.
 INSTANTIATE_TEST_SUITE_P(Paths, Antialiased,
-                         testing::Values(Walk{Wall::kWaves, 0.0, 1.0}, Walk{Wall::kWaves, 0.0005, 1.0},
-                                         Walk{Wall::kWaves, 0.015, 1.0}, Walk{Wall::kWaves, 0.08, 1.0},
-                                         Walk{Wall::kStripes, 0.0, 1.0}, Walk{Wall::kStripes, 0.08, 1.4}),
+                         testing::Values(Walk{Wall::kWaves, 0.0, 0.85}, Walk{Wall::kWaves, 0.0005, 0.4},
+                                         Walk{Wall::kWaves, 0.015, 0.75}, Walk{Wall::kWaves, 0.08, 0.75},
+                                         Walk{Wall::kStripes, 0.0, 0.8}, Walk{Wall::kStripes, 0.08, 1.2}),
                          [](const auto& made) {
                            return std::string(made.param.wall == Wall::kWaves ? "Waves" : "Stripes") +
                                   std::to_string(std::lround(made.param.metresAFrame * 1e4));
