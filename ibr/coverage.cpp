@@ -56,9 +56,10 @@ bool Coverage::reaches(int x, int y, glm::vec2 place) const {
       case Sight::Relation::kSame:
         show += closeness;
         break;
-      case Sight::Relation::kOther:
+      case Sight::Relation::kBehind:
         showOther += closeness;
         break;
+      case Sight::Relation::kBeside:
       case Sight::Relation::kInFront:
         break;
     }

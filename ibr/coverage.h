@@ -20,10 +20,11 @@ class Coverage {
   Coverage(const Visibility& frame, std::span<const Visibility* const> others, double creaseDegrees);
 
   /// Whether the surface of sample (x, y) of the frame, not background, goes on to `place` (pixels of the
-  /// frame, about a sample away). Each frame is asked for its sample that is nearest to where the tangent
-  /// plane has that place: it shows the surface, or what is beside or behind it, or something in front, which
-  /// says nothing. They count by 1 / d^2, d being how far from the place their sample is (Shepard 1968): the
-  /// surface reaches as far as those that show it outweigh the others. Where none can tell, it goes on.
+  /// frame, about a sample away), so that it hides what is behind it there. Each frame is asked for its
+  /// sample that is nearest to where the tangent plane has that place: it shows the surface, or what is
+  /// behind it. (What is beside it, a face that hides as much, or in front says nothing.) They count by 1 /
+  /// d^2, d being how far from the place their sample is (Shepard 1968): the surface reaches as far as those
+  /// that show it outweigh the others. Where none can tell, it goes on.
   [[nodiscard]] bool reaches(int x, int y, glm::vec2 place) const;
 
  private:

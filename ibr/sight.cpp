@@ -14,7 +14,7 @@ Sight::Sight(const Visibility& visibility, const glm::dvec3& otherEye, double cr
 
 Sight::Relation Sight::relation(int x, int y, const SurfacePoint& point) const {
   const ItemId item = visibility_.item(x, y);
-  if (item == kNoItem) return point.item == kNoItem ? Relation::kSame : Relation::kOther;
+  if (item == kNoItem) return point.item == kNoItem ? Relation::kSame : Relation::kBehind;
   if (point.item == kNoItem) return Relation::kInFront;
   const glm::vec3& normal = visibility_.normal(x, y);
   const glm::vec3 chord = point.fromSourceEye - visibility_.depth(x, y) * rays_.through(x, y);
@@ -27,8 +27,9 @@ Sight::Relation Sight::relation(int x, int y, const SurfacePoint& point) const {
   // In front: the point lies behind the tangent plane of the sample, and the sample before that of the point.
   // Of two faces that meet in an edge, each lies behind the other or each before the other: neither hides the
   // other, though one be nearer.
-  return beyondSample > point.tolerance && beforePoint > point.tolerance ? Relation::kInFront
-                                                                         : Relation::kOther;
+  if (beyondSample > point.tolerance && beforePoint > point.tolerance) return Relation::kInFront;
+  if (beyondSample < -point.tolerance && beforePoint < -point.tolerance) return Relation::kBehind;
+  return Relation::kBeside;
 }
 
 Sighting Sight::operator()(glm::vec2 pixel, const SurfacePoint& point) const {

@@ -43,7 +43,8 @@ class Sight {
   enum class Relation : std::uint8_t {
     kSame,     ///< the sample shows the surface of the point
     kInFront,  ///< it hides the point from its own place
-    kOther,    ///< neither
+    kBehind,   ///< the point would hide it
+    kBeside,   ///< neither hides the other
   };
   /// Precondition: sample (x, y) is in the frame.
   [[nodiscard]] Relation relation(int x, int y, const SurfacePoint& point) const;

@@ -74,6 +74,24 @@ TEST(Coverage, IsNotToldByWhatIsInFront) {
   EXPECT_NEAR(edgeFoundBy(frame, {&other}), edgeFoundBy(frame, {}), 1e-9);
 }
 
+TEST(Coverage, LeavesNoGapBetweenFacesOfTheSameThing) {
+  // A column of 12 faces, 0.3 m thick, 2 m away: each is about 0.8 pixels wide in the middle and turned by 30
+  // degrees against the next. At all places between two of its samples one of both surfaces is there.
+  AnalyticScene scene;
+  scene.add(kWall, rectangle({-9, -9, -4}, {18, 0, 0}, {0, 18, 0}), uniform(Rgb(1.0f)))
+      .add(kPost, prism({0, -9, -2}, 0.15, 18.0, 12), uniform(Rgb(1.0f)));
+  const Visibility frame = scene.visibility(besideThePost(0.0, {0, 0}));
+  const Visibility other = scene.visibility(besideThePost(0.0, {0.3, 0}));
+  const std::vector<const Visibility*> asked{&other};
+  const Coverage coverage(frame, asked, kTurn);
+  ASSERT_EQ(frame.item(19, 20), kPost);
+  ASSERT_EQ(frame.item(20, 20), kPost);
+  for (float place = 19.5f; place < 20.5f; place += 0.05f) {
+    EXPECT_TRUE(coverage.reaches(19, 20, {place, 20.5f}) || coverage.reaches(20, 20, {place, 20.5f}))
+        << place;
+  }
+}
+
 TEST(Coverage, GoesOnWhereNobodyLooks) {
   // Beyond the image.
   const AnalyticScene scene = postBeforeAWall(0.023);
