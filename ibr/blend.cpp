@@ -88,6 +88,7 @@ struct Shown {
   double footprintLimit = 0.0;
   double time = 0.0;
   glm::dvec3 eye{0.0};
+  double weight = 0.0;  ///< as it counts; 0: it does not
 };
 
 Shown shownBy(const BlendSource& source, const Visibility& target, int x, int y) {
@@ -105,7 +106,7 @@ Shown shownBy(const BlendSource& source, const Visibility& target, int x, int y)
 /// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<const Shown> sources, const DepthAgreement& sameDepth, const Slants& slants, double time,
+  Counting(std::span<Shown> sources, const DepthAgreement& sameDepth, const Slants& slants, double time,
            int x, int y, Validity wanted)
       : sources_(sources),
         sameDepth_(sameDepth),
@@ -124,7 +125,7 @@ class Counting {
   [[nodiscard]] bool none() const { return isNone_; }
 
   /// Precondition: not none().
-  [[nodiscard]] Mean mean() const {
+  [[nodiscard]] Mean mean() {
     if (exact_ != nullptr) {
       return {
           exact_->sample.diffuse, exact_->sample.viewDependent,
@@ -146,17 +147,18 @@ class Counting {
     double weight = 0.0;
   };
   template <class QualityOf>
-  [[nodiscard]] Weighted weighted(const QualityOf& qualityOf) const {
+  [[nodiscard]] Weighted weighted(const QualityOf& qualityOf) {
     Weighted sum;
     bool earlier = false;
     bool later = false;
-    for (const Shown& source : sources_) {
-      const double weight = weightOf(source, qualityOf);
-      if (!(weight > 0.0)) continue;
-      sum.weight += weight;
+    for (Shown& source : sources_) {
+      const bool counts = source.sample.validity == wanted_ && sameDepth_(x_, y_, nearest_, source.depth);
+      source.weight = counts ? qualityOf(source) / std::abs(time_ - source.time) : 0.0;
+      if (!(source.weight > 0.0)) continue;
+      sum.weight += source.weight;
       (source.time < time_ ? earlier : later) = true;
       // One after the other: sources that agree to the bit give that value to the bit.
-      const auto part = static_cast<float>(weight / sum.weight);
+      const auto part = static_cast<float>(source.weight / sum.weight);
       sum.mean.diffuse = mix(sum.mean.diffuse, source.sample.diffuse, part);
       sum.mean.viewDependent = mix(sum.mean.viewDependent, source.sample.viewDependent, part);
     }
@@ -164,32 +166,23 @@ class Counting {
                       : earlier        ? SampleSource::kWarpedFromPrevious
                                        : SampleSource::kWarpedFromNext;
     if (earlier != later && wanted_ == Validity::kValid && std::isfinite(nearest_))
-      sum.mean.slantChange = slantChange(qualityOf);
+      sum.mean.slantChange = slantChange();
     return sum;
   }
 
-  /// 0 if the source does not count.
-  template <class QualityOf>
-  [[nodiscard]] double weightOf(const Shown& source, const QualityOf& qualityOf) const {
-    if (source.sample.validity != wanted_) return 0.0;
-    if (!sameDepth_(x_, y_, nearest_, source.depth)) return 0.0;
-    return qualityOf(source) / std::abs(time_ - source.time);
-  }
-
-  template <class QualityOf>
-  [[nodiscard]] float slantChange(const QualityOf& qualityOf) const {
+  /// By the weights of weighted().
+  [[nodiscard]] float slantChange() const {
     double sum = 0.0;
     double weights = 0.0;
     for (const Shown& source : sources_) {
-      const double weight = weightOf(source, qualityOf);
-      if (!(weight > 0.0)) continue;
-      sum += weight * static_cast<double>(slants_.change(source.eye, x_, y_));
-      weights += weight;
+      if (!(source.weight > 0.0)) continue;
+      sum += source.weight * static_cast<double>(slants_.change(source.eye, x_, y_));
+      weights += source.weight;
     }
     return static_cast<float>(sum / weights);
   }
 
-  std::span<const Shown> sources_;
+  std::span<Shown> sources_;
   const DepthAgreement& sameDepth_;
   const Slants& slants_;
   double time_;
@@ -241,13 +234,13 @@ Blended blend(std::span<const BlendSource> sources, Visibility&& target, double 
         blended.frame.source(x, y) = mean.source;
         blended.slantChange(x, y) = mean.slantChange;
       };
-      const Counting fine(shown, sameDepth, slants, time, x, y, Validity::kValid);
+      Counting fine(shown, sameDepth, slants, time, x, y, Validity::kValid);
       if (!fine.none()) {
         put(fine.mean());
         continue;
       }
       blended.holes(x, y) = 1;
-      const Counting coarse(shown, sameDepth, slants, time, x, y, Validity::kUndersampled);
+      Counting coarse(shown, sameDepth, slants, time, x, y, Validity::kUndersampled);
       put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown, 0.0f} : coarse.mean());
     }
   });

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ibr/blend.h"
-#include "src/walkthrough/item_table.h"
 #include "src/walkthrough/retrace_items.h"
 #include "src/walkthrough/slant.h"
 
@@ -22,11 +21,9 @@ std::uint64_t countSelected(const Mask& mask) {
 /// `target` becomes part of the result.
 ibr::Blended blendInTheOrderOfTime(const WarpedPair& keyframes, const std::vector<const Inbetween*>& others,
                                    Visibility&& target, const Segment& segment, int frameIndex,
-                                   const ItemVerdict& verdict, const Renderer& renderer,
-                                   const ibr::WarpSettings& settings) {
+                                   const Mask& shared, const ibr::WarpSettings& settings) {
   std::vector<ibr::BlendSource> ordered{{&keyframes.fromFirst, double(segment.first)},
                                         {&keyframes.fromLast, double(segment.last)}};
-  const Mask shared = sharedAmongInbetweens(target.item, verdict, renderer);
   std::vector<ibr::SampleGather> gathers;
   gathers.reserve(others.size());
   ibr::WarpSettings ofShared = settings;
@@ -61,51 +58,17 @@ std::uint64_t countDisputed(const Mask& disputed, const RetracedItems& items, co
 
 }  // namespace
 
-Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
-                      const Mask& disputed, const ItemVerdict& verdict, const Renderer& renderer) {
-  Retrace retrace{holes.clone(), Mask(item.size()), {}};
-  enum class Trust { kWhole, kWhereBothAgree, kNone };
-  struct Known {
-    Trust trust = Trust::kWhole;
-    bool disputesCount = false;
-  };
-  const auto know = [&](ItemId id) -> Known {
-    const ItemTraits traits = renderer.traits(id);
-    const Trust trust = verdict.failing.contains(id)       ? Trust::kNone
-                        : verdict.looksTheSame(id, traits) ? Trust::kWhole
-                        : verdict.proven.contains(id)      ? Trust::kWhereBothAgree
-                                                           : Trust::kNone;
-    return {trust, countFor(verdict.disputes, traits)};
-  };
-  ItemTable<Known> known;
-  const auto items = item.pixels();
-  const auto sources = source.pixels();
-  const auto contradicted = disputed.pixels();
-  const auto hole = retrace.holes.pixels();
-  const auto selected = retrace.items.pixels();
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i] == kNoItem) continue;
-    const auto [trust, disputesCount] = known.of(items[i], know);
-    const bool isTraced = trust == Trust::kNone || (contradicted[i] != 0 && disputesCount) ||
-                          (trust == Trust::kWhereBothAgree && sources[i] != SampleSource::kBlended);
-    if (isTraced && hole[i] == 0) selected[i] = 1;
+Retrace selectRetrace(const Mask& holes, const SourceMap& source, const Mask& disputed,
+                      const ItemTrust& trust) {
+  Retrace retrace{holes.clone(), Mask(holes.size())};
+  for (std::size_t i = 0; i < holes.pixels().size(); ++i) {
+    const bool isContradicted = disputed.pixels()[i] != 0 && trust.disputesCount.pixels()[i] != 0;
+    const bool isUnproven =
+        trust.looksTheSame.pixels()[i] == 0 && source.pixels()[i] != SampleSource::kBlended;
+    const bool isTraced = trust.untrusted.pixels()[i] != 0 || isContradicted || isUnproven;
+    if (isTraced && holes.pixels()[i] == 0) retrace.items.pixels()[i] = 1;
   }
-  std::vector<ItemId> list;
-  for (const auto& [id, judged] : known) {
-    if (judged.trust == Trust::kNone) list.push_back(id);
-  }
-  retrace.traced = ItemSet(std::move(list));
   return retrace;
-}
-
-Mask sharedAmongInbetweens(const ItemBuffer& item, const ItemVerdict& verdict, const Renderer& renderer) {
-  Mask shared(item.size());
-  ItemTable<bool> known;
-  const auto isShared = [&](ItemId id) { return verdict.looksTheSame(id, renderer.traits(id)); };
-  for (std::size_t i = 0; i < item.pixels().size(); ++i) {
-    shared.pixels()[i] = known.of(item.pixels()[i], isShared) ? 1 : 0;
-  }
-  return shared;
 }
 
 Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int frameIndex,
@@ -114,16 +77,17 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   ibr::Blended blended;
   Retrace retrace;
   Mask disputed;
+  ItemTrust trust;
   std::uint64_t reused = 0;
   {
     const Stopwatch watch(seconds.warp);
     InbetweenSources used = std::move(sources);  // given back before anything is traced
+    trust = trustIn(used.keyframes.target.item, verdict, renderer);
     blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
-                                    frameIndex, verdict, renderer, settings.warp);
-    blended.holes = holesAndSlantedGloss(blended, verdict, renderer);
+                                    frameIndex, trust.looksTheSame, settings.warp);
+    blended.holes = holesAndSlantedGloss(blended, trust.looksTheSame);
     disputed = std::move(used.keyframes.disputed);
-    retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source, disputed,
-                            verdict, renderer);
+    retrace = selectRetrace(blended.holes, blended.frame.source, disputed, trust);
     reused = countReused(used.keyframes, blended.holes);
   }
   RetracedItems items;
@@ -133,7 +97,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     items = retraceItems(std::move(blended.frame), retrace.items, verdict.matt, settings.supersample,
                          frameIndex, renderer);
   }
-  const std::uint64_t disputedTraced = countDisputed(disputed, items, retrace.traced);
+  const std::uint64_t disputedTraced = countDisputed(disputed, items, trust.tracedWhole);
   Inbetween inbetween{std::move(items.frame), {}};
   FrameStatistics& statistics = inbetween.statistics;
   statistics.index = frameIndex;
@@ -155,7 +119,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
   }
   statistics.warped = statistics.samples - statistics.samplesTraced - statistics.unknown;
   statistics.reused = reused;
-  statistics.itemsTraced = retrace.traced.items();
+  statistics.itemsTraced = trust.tracedWhole.items();
   return inbetween;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "src/walkthrough/item_trust.h"
 #include "src/walkthrough/judge.h"
 
 namespace promenade::walkthrough {
@@ -12,31 +13,26 @@ namespace promenade::walkthrough {
 struct Retrace {
   Mask holes;  ///< no source fills the sample as it looks from here
   Mask items;  ///< the sample belongs to an item whose warped look a viewer could tell; disjoint from holes
-  ItemSet traced;
 };
 
 /// A view-dependent item is traced unless the middle of the segment proved that its warped look passes:
 /// failing items, and items that could not be compared there. What of a proven item only one keyframe fills
 /// (`source`) is traced as well, unless the item is steady: the proof is for what both agree on. So are those
 /// of the `disputed` samples (disputedSamples()) that count by the verdict.
-[[nodiscard]] Retrace selectRetrace(const ItemBuffer& item, const Mask& holes, const SourceMap& source,
-                                    const Mask& disputed, const ItemVerdict& verdict,
-                                    const Renderer& renderer);
+[[nodiscard]] Retrace selectRetrace(const Mask& holes, const SourceMap& source, const Mask& disputed,
+                                    const ItemTrust& trust);
 
 struct Inbetween {
   Frame frame;
   FrameStatistics statistics;  ///< without seconds
 };
 
-/// The samples that may come from other inbetweens: of items that ItemVerdict::looksTheSame(). (Others are
-/// traced, or were proven as a blend of both keyframes.)
-[[nodiscard]] Mask sharedAmongInbetweens(const ItemBuffer& item, const ItemVerdict& verdict,
-                                         const Renderer& renderer);
-
 /// All that an inbetween is made of. Nothing in it that counts was warped itself.
 struct InbetweenSources {
   WarpedPair keyframes;
-  std::vector<const Inbetween*> others;  ///< of the segment, whose traced samples may serve here
+  /// Of the segment, whose traced samples may serve here, of items that look the same. (Others are traced, or
+  /// were proven as a blend of both keyframes.)
+  std::vector<const Inbetween*> others;
 };
 
 /// Frame `frameIndex` of `segment`. What sources show at another slant only counts as a hole (slant.h).

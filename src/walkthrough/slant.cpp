@@ -1,7 +1,6 @@
 #include "src/walkthrough/slant.h"
 
 #include "src/core/display.h"
-#include "src/walkthrough/item_table.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -19,15 +18,13 @@ float shareOfGloss(const Frame& frame, int x, int y) {
 
 }  // namespace
 
-Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemVerdict& verdict, const Renderer& renderer) {
+Mask holesAndSlantedGloss(const ibr::Blended& blended, const Mask& looksTheSame) {
   const Frame& frame = blended.frame;
-  ItemTable<bool> known;
-  const auto isWarpedAnyway = [&](ItemId item) { return verdict.looksTheSame(item, renderer.traits(item)); };
   Mask selected = blended.holes.clone();
   for (int y = 0; y < selected.height(); ++y) {
     for (int x = 0; x < selected.width(); ++x) {
       const float change = blended.slantChange(x, y);
-      if (!(change > kLargestContrast) || !known.of(frame.visibility.item(x, y), isWarpedAnyway)) continue;
+      if (!(change > kLargestContrast) || looksTheSame(x, y) == 0) continue;
       if (shareOfGloss(frame, x, y) * change > kLargestContrast) selected(x, y) = 1;
     }
   }

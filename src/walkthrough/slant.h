@@ -6,16 +6,13 @@
 // shows the surface nobody has.
 
 #include "ibr/blend.h"
-#include "src/core/renderer.h"
-#include "src/walkthrough/judge.h"
 
 namespace promenade::walkthrough {
 
 /// The holes of `blended`, and those of its samples that are as good as holes: filled by sources of one side
 /// in time alone, which saw the surface so much more or less slanted that a viewer could tell by its gloss.
-/// Items that count as view dependent, unless steady by the `verdict`, are not looked at: these are judged,
-/// and traced, by themselves.
-[[nodiscard]] Mask holesAndSlantedGloss(const ibr::Blended& blended, const ItemVerdict& verdict,
-                                        const Renderer& renderer);
+/// Only samples that `looksTheSame` selects (ItemTrust) are looked at: other items are judged, and traced, by
+/// themselves.
+[[nodiscard]] Mask holesAndSlantedGloss(const ibr::Blended& blended, const Mask& looksTheSame);
 
 }  // namespace promenade::walkthrough

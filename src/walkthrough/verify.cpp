@@ -40,9 +40,9 @@ struct WarpedMiddle {
 WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const Renderer& renderer) {
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
-  blended.holes = holesAndSlantedGloss(blended, items, renderer);
-  const Retrace retrace = selectRetrace(blended.frame.visibility.item, blended.holes, blended.frame.source,
-                                        middle.warped.disputed, items, renderer);
+  const ItemTrust trust = trustIn(blended.frame.visibility.item, items, renderer);
+  blended.holes = holesAndSlantedGloss(blended, trust.looksTheSame);
+  const Retrace retrace = selectRetrace(blended.holes, blended.frame.source, middle.warped.disputed, trust);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "src/core/renderer.h"
+#include "tests/walkthrough/retracing_renderer.h"
 
 namespace promenade::tests {
 
@@ -24,7 +24,7 @@ enum class Panel {
   kSheen,   ///< like kMirrorLike, but too rough to be declared view dependent
 };
 
-class AnalyticRenderer final : public Renderer {
+class AnalyticRenderer final : public RetracingRenderer {
  public:
   /// `noise`: standard deviation of a sample's radiance relative to its mean.
   explicit AnalyticRenderer(Panel panel, double noise = 0.0) : panel_(panel), noise_(noise) {}
@@ -52,13 +52,6 @@ class AnalyticRenderer final : public Renderer {
       frame.source(x, y) = source;
       ++shaded_;
     });
-  }
-
-  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
-    Frame frame{visibility(camera), RadianceMap(camera.size()), RadianceMap(camera.size()),
-                SourceMap(camera.size())};
-    retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
-    return frame;
   }
 
   [[nodiscard]] ItemTraits traits(ItemId item) const override {

@@ -11,6 +11,7 @@
 
 #include "src/core/errors.h"
 #include "tests/walkthrough/analytic_renderer.h"
+#include "tests/walkthrough/retracing_renderer.h"
 #include "tests/walkthrough/walks.h"
 
 namespace promenade::walkthrough {
@@ -456,7 +457,7 @@ TEST(ExposureOf, IsZeroWithoutLight) {
 }
 
 /// A wall of one grey that goes on with the light at `frame`.
-class Grey final : public Renderer {
+class Grey final : public tests::RetracingRenderer {
  public:
   explicit Grey(int lightFrom = 0) : lightFrom_(lightFrom) {}
   [[nodiscard]] Visibility visibility(const Camera& camera) const override {
@@ -467,13 +468,6 @@ class Grey final : public Renderer {
       if (mask.pixels()[i] != 0) frame.diffuse.pixels()[i] = Rgb(frameIndex < lightFrom_ ? 0.0045f : 0.045f);
     }
   }
-  [[nodiscard]] Frame render(const Camera& camera, int frameIndex) const override {
-    Frame frame = unshaded(visibility(camera));
-    retrace(frame, Mask(camera.size(), 1), SampleSource::kTraced, frameIndex);
-    return frame;
-  }
-  [[nodiscard]] ItemTraits traits(ItemId) const override { return {}; }
-  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
 
  private:
   int lightFrom_;
