@@ -15,6 +15,8 @@ struct ItemTraits {
   /// Standard deviation of a traced sample's view-dependent radiance, as a share of all it shows, that may be
   /// taken for noise where neighbours are compared. 0: none, as in a mirror.
   float noise = 0.0f;
+  /// The same where neighbours face one way, so that what they show differs by little else: at least `noise`.
+  float noiseWhereFlat = 0.0f;
 };
 
 /// Ray counts since the renderer was made, all threads.

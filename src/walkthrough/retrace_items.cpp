@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 #include <utility>
 
 #include "ibr/view_layer.h"
@@ -11,80 +11,174 @@
 namespace promenade::walkthrough {
 namespace {
 
-/// One sample of each pixel, at another place in its neighbours: renderers may give samples that share a
-/// place in the pixel the same random numbers, whose error would not average out.
-bool isFirstOfPixel(int x, int y, int supersample) {
-  const int pixelX = x / supersample;
-  const int pixelY = y / supersample;
-  return x % supersample == (pixelX + pixelY) % supersample && y % supersample == pixelY % supersample;
+/// Of the range of luminances that settings.largestRange allows: what the coarse lattice misses is twice as
+/// large, where the eye needs half the contrast.
+constexpr double kRangeOfCoarse = 0.5;
+
+/// One sample of each square of `edge`^2, at another place in its neighbours: renderers may give samples that
+/// share a place in the pixel the same random numbers, whose error would not average out.
+bool isFirstOfSquare(int x, int y, int edge) {
+  const int squareX = x / edge;
+  const int squareY = y / edge;
+  return x % edge == (squareX + squareY) % edge && y % edge == squareY % edge;
 }
 
-/// Detail finer than the traced samples shows in the warped layer, which is known at all of them: what they
-/// would make of it is not what it is.
-class WarpedDetail {
- public:
-  /// `traced`: the samples that will be known; of the warped layer they are known, too.
-  WarpedDetail(const Frame& warped, const Mask& traced, const Mask& items,
-               const ibr::ViewLayerSettings& settings)
-      : settings_(settings),
-        warped_(warped.viewDependent.clone()),
-        expected_(ibr::interpolateViewLayer(warped, traced, items, settings)) {}
+/// Samples that are traced so that others need not be.
+struct Lattice {
+  Mask samples;  ///< of those asked for
+  ibr::ViewLayerSettings settings;
+  /// What its samples would make of the warped layer, which is known everywhere.
+  ibr::ViewLayer expected;
+};
 
-  [[nodiscard]] bool isBetweenSamplesAround(const Frame& frame, int x, int y) const {
-    if (expected_.found(x, y) == 0) return true;
+std::function<ibr::LayerNoise(ItemId)> noiseBy(const Renderer& renderer) {
+  return [&renderer](ItemId item) -> ibr::LayerNoise {
+    const ItemTraits traits = renderer.traits(item);
+    return {traits.noise, traits.noiseWhereFlat};
+  };
+}
+
+class Lattices {
+ public:
+  Lattices(const Frame& warped, const Mask& wanted, int supersample, const Renderer& renderer)
+      : warped_(warped.viewDependent.clone()),
+        coarse_{Mask(wanted.size()), {.reach = 2 * supersample}, {}},
+        fine_{Mask(wanted.size()), {.reach = supersample, .noise = noiseBy(renderer)}, {}} {
+    coarse_.settings.largestRange *= kRangeOfCoarse;
+    for (int y = 0; y < wanted.height(); ++y) {
+      for (int x = 0; x < wanted.width(); ++x) {
+        if (wanted(x, y) == 0 || !isFirstOfSquare(x, y, supersample)) continue;
+        fine_.samples(x, y) = 1;
+        coarse_.samples(x, y) = isFirstOfSquare(x / supersample, y / supersample, 2) ? 1 : 0;
+      }
+    }
+    for (Lattice* lattice : {&coarse_, &fine_})
+      lattice->expected = ibr::interpolateViewLayer(warped, lattice->samples, wanted, lattice->settings);
+  }
+  /// One sample in each square of 2 x 2 pixels; noise is not allowed for, which would look as coarse.
+  [[nodiscard]] const Lattice& coarse() const { return coarse_; }
+  /// One sample a pixel, those of the coarse one among them.
+  [[nodiscard]] const Lattice& fine() const { return fine_; }
+
+  /// Detail finer than the lattice shows in the warped layer: what its samples would make of that is not what
+  /// it is.
+  [[nodiscard]] bool misses(const Lattice& lattice, const Frame& frame, int x, int y) const {
+    if (lattice.expected.found(x, y) == 0) return true;
+    const auto& settings = lattice.settings;
     const float bright = luminance(warped_(x, y));
-    const double noise = settings_.noise(frame.visibility.item(x, y));
-    const double largest = (settings_.largestRange + 3.0 * noise) * (bright + luminance(frame.diffuse(x, y)));
-    return std::abs(luminance(expected_.viewDependent(x, y)) - bright) > largest;
+    double noise = 0.0;
+    if (settings.noise) {
+      const ibr::LayerNoise known = settings.noise(frame.visibility.item(x, y));
+      noise = lattice.expected.flat(x, y) != 0 ? known.flat : known.curved;
+    }
+    const double largest = (settings.largestRange + 3.0 * noise) * (bright + luminance(frame.diffuse(x, y)));
+    return std::abs(luminance(lattice.expected.viewDependent(x, y)) - bright) > largest;
   }
 
  private:
-  const ibr::ViewLayerSettings& settings_;
   RadianceMap warped_;
-  ibr::ViewLayer expected_;
+  Lattice coarse_;
+  Lattice fine_;
+};
+
+bool isAnySelected(const Mask& mask) {
+  return std::ranges::any_of(mask.pixels(), [](std::uint8_t v) { return v != 0; });
+}
+
+bool isAnyAround(const Mask& mask, int x, int y, int reach) {
+  for (int j = y - reach; j <= y + reach; ++j) {
+    for (int i = x - reach; i <= x + reach; ++i) {
+      if (mask.contains(i, j) && mask(i, j) != 0) return true;
+    }
+  }
+  return false;
+}
+
+class Retracing {
+ public:
+  Retracing(Frame&& frame, Size size, int frameIndex, const Renderer& renderer)
+      : retraced_{std::move(frame), Mask(size)}, frameIndex_(frameIndex), renderer_(renderer) {}
+
+  [[nodiscard]] const Frame& frame() const { return retraced_.frame; }
+  [[nodiscard]] RetracedItems result() && { return std::move(retraced_); }
+
+  /// Those of the `samples` that are not traced yet.
+  void trace(const Mask& samples) {
+    Mask now = samples.clone();
+    for (std::size_t i = 0; i < now.pixels().size(); ++i) {
+      std::uint8_t& traced = retraced_.traced.pixels()[i];
+      if (traced != 0) now.pixels()[i] = 0;
+      traced |= now.pixels()[i];
+    }
+    renderer_.retrace(retraced_.frame, now, SampleSource::kTracedItem, frameIndex_);
+  }
+
+  /// Puts between the samples of the lattice, which are traced, what they tell, and returns those of the
+  /// `wanted` that they tell nothing of.
+  [[nodiscard]] Mask interpolate(const Lattice& lattice, const Lattices& all, const Mask& wanted) {
+    Frame& frame = retraced_.frame;
+    const ibr::ViewLayer layer = ibr::interpolateViewLayer(frame, known(), wanted, lattice.settings);
+    Mask open(wanted.size());
+    for (int y = 0; y < wanted.height(); ++y) {
+      for (int x = 0; x < wanted.width(); ++x) {
+        if (wanted(x, y) == 0 || retraced_.traced(x, y) != 0) continue;
+        if (layer.found(x, y) != 0 && !all.misses(lattice, frame, x, y)) {
+          frame.viewDependent(x, y) = layer.viewDependent(x, y);
+        } else {
+          open(x, y) = 1;
+        }
+      }
+    }
+    return open;
+  }
+
+ private:
+  [[nodiscard]] Mask known() const {
+    Mask known = retraced_.traced.clone();
+    for (std::size_t i = 0; i < known.pixels().size(); ++i) {
+      if (retraced_.frame.source.pixels()[i] == SampleSource::kTracedHole) known.pixels()[i] = 1;
+    }
+    return known;
+  }
+
+  RetracedItems retraced_;
+  int frameIndex_;
+  const Renderer& renderer_;
 };
 
 }  // namespace
 
 RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, int supersample,
                            int frameIndex, const Renderer& renderer) {
-  const Size size = items.size();
-  RetracedItems retraced{std::move(frame), Mask(size)};
-  if (std::ranges::none_of(items.pixels(), [](std::uint8_t v) { return v != 0; })) return retraced;
-  Mask known(size);
+  Retracing retracing(std::move(frame), items.size(), frameIndex, renderer);
+  if (!isAnySelected(items)) return std::move(retracing).result();
+  if (supersample == 1) {
+    retracing.trace(items);
+    return std::move(retracing).result();
+  }
   // Of what has no view-dependent layer to speak of it is the diffuse one that is wrong.
-  const auto isTracedFirst = [&](int x, int y) {
-    const ItemId item = retraced.frame.visibility.item(x, y);
-    return isFirstOfPixel(x, y, supersample) || matt.contains(item) || !renderer.traits(item).viewDependent;
-  };
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      retraced.traced(x, y) = items(x, y) != 0 && isTracedFirst(x, y) ? 1 : 0;
-      known(x, y) =
-          retraced.traced(x, y) != 0 || retraced.frame.source(x, y) == SampleSource::kTracedHole ? 1 : 0;
+  const ItemBuffer& item = retracing.frame().visibility.item;
+  Mask whole(items.size());
+  Mask layered(items.size());
+  for (std::size_t i = 0; i < items.pixels().size(); ++i) {
+    if (items.pixels()[i] == 0) continue;
+    const ItemId id = item.pixels()[i];
+    (matt.contains(id) || !renderer.traits(id).viewDependent ? whole : layered).pixels()[i] = 1;
+  }
+  const Lattices lattices(retracing.frame(), layered, supersample, renderer);
+  retracing.trace(whole);
+  retracing.trace(lattices.coarse().samples);
+  Mask open = retracing.interpolate(lattices.coarse(), lattices, layered);
+  Mask around = lattices.fine().samples.clone();
+  for (int y = 0; y < around.height(); ++y) {
+    for (int x = 0; x < around.width(); ++x) {
+      if (around(x, y) != 0 && !isAnyAround(open, x, y, supersample)) around(x, y) = 0;
     }
   }
-  const ibr::ViewLayerSettings settings{.reach = supersample,
-                                        .noise = [&](ItemId item) { return renderer.traits(item).noise; }};
-  std::optional<WarpedDetail> detail;
-  if (supersample > 1) detail.emplace(retraced.frame, retraced.traced, items, settings);
-  renderer.retrace(retraced.frame, retraced.traced, SampleSource::kTracedItem, frameIndex);
-  if (!detail) return retraced;
-
-  const ibr::ViewLayer layer = ibr::interpolateViewLayer(retraced.frame, known, items, settings);
-  Mask rest(size);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      if (items(x, y) == 0 || retraced.traced(x, y) != 0) continue;
-      if (layer.found(x, y) != 0 && !detail->isBetweenSamplesAround(retraced.frame, x, y)) {
-        retraced.frame.viewDependent(x, y) = layer.viewDependent(x, y);
-      } else {
-        rest(x, y) = retraced.traced(x, y) = 1;
-      }
-    }
-  }
-  renderer.retrace(retraced.frame, rest, SampleSource::kTracedItem, frameIndex);
-  return retraced;
+  retracing.trace(around);
+  open = retracing.interpolate(lattices.fine(), lattices, open);
+  retracing.trace(open);
+  return std::move(retracing).result();
 }
 
 }  // namespace promenade::walkthrough

@@ -13,11 +13,12 @@ struct RetracedItems {
 };
 
 /// `frame` is a warped inbetween with its holes traced; `items` (its size) selects the samples whose
-/// view-dependent layer was warped from where it looked different. One of the `supersample`^2 samples of a
-/// pixel is ray traced; the others keep their warped diffuse layer and get the view-dependent one of the
-/// traced samples around them on the same surface, unless these differ too much (ibr::interpolateViewLayer):
-/// then they are ray traced as well. Of `matt` items, whose diffuse layer may not be warped either, and of
-/// items that look the same from everywhere all samples are.
+/// view-dependent layer was warped from where it looked different. Of each square of 2 x 2 pixels one sample
+/// is ray traced; the others keep their warped diffuse layer and get the view-dependent one of the traced
+/// samples around them on the same surface, unless these differ too much (ibr::interpolateViewLayer). Around
+/// those that get none one sample of each pixel is traced, and where these differ too much, too, all are. Of
+/// `matt` items, whose diffuse layer may not be warped either, and of items that look the same from
+/// everywhere all samples are.
 [[nodiscard]] RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, int supersample,
                                          int frameIndex, const Renderer& renderer);
 
