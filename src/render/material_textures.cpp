@@ -9,18 +9,21 @@
 
 namespace promenade::render {
 
-glm::vec2 alongEdges(const SurfacePoint& point, const glm::vec3& axis) {
+FootprintAlongEdges alongEdges(const SurfacePoint& point, const Footprint& footprint) {
   const glm::vec3 normal = glm::cross(point.edge1, point.edge2);
   const float squared = glm::dot(normal, normal);
-  if (!(squared > 0.0f)) return glm::vec2(0.0f);
-  return glm::vec2(glm::dot(glm::cross(axis, point.edge2), normal),
-                   glm::dot(glm::cross(point.edge1, axis), normal)) /
-         squared;
+  if (!(squared > 0.0f)) return {};
+  const auto solved = [&](const glm::vec3& axis) {
+    return glm::vec2(glm::dot(glm::cross(axis, point.edge2), normal),
+                     glm::dot(glm::cross(point.edge1, axis), normal)) /
+           squared;
+  };
+  return {solved(footprint.major), solved(footprint.minor)};
 }
 
-TextureFootprints::TextureFootprints(const SurfacePoint& point, const Footprint& footprint) {
-  const glm::vec2 major = alongEdges(point, footprint.major);
-  const glm::vec2 minor = alongEdges(point, footprint.minor);
+TextureFootprints::TextureFootprints(const SurfacePoint& point, const FootprintAlongEdges& footprint,
+                                     Detail detail) {
+  const auto& [major, minor] = footprint;
   for (std::size_t set = 0; set < 2; ++set) {
     const glm::vec2& e1 = point.texCoordEdge1[set];
     const glm::vec2& e2 = point.texCoordEdge2[set];
@@ -32,7 +35,7 @@ TextureFootprints::TextureFootprints(const SurfacePoint& point, const Footprint&
       std::swap(longAxis, shortAxis);
       std::swap(longest, shortest);
     }
-    if (std::isfinite(longest)) footprints_[set] = {longAxis, shortAxis, footprint.detail};
+    if (std::isfinite(longest)) footprints_[set] = {longAxis, shortAxis, detail};
   }
 }
 

@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "src/render/detail.h"
 #include "src/render/texture.h"
 #include "src/scene/scene.h"
 
@@ -14,15 +15,19 @@ namespace promenade::render {
 struct SurfacePoint;
 struct Footprint;
 
-/// s and t by which an axis in the plane of the point's triangle is s * edge1 + t * edge2: whatever is
-/// interpolated over the triangle changes by the same s and t of its own edges. 0 where the triangle has no
-/// area.
-[[nodiscard]] glm::vec2 alongEdges(const SurfacePoint& point, const glm::vec3& axis);
+/// The half axes of a footprint, in the plane of a triangle: s and t of s * edge1 + t * edge2. Whatever is
+/// interpolated over the triangle changes along them by the same s and t of its own edges.
+struct FootprintAlongEdges {
+  glm::vec2 major{0.0f}, minor{0.0f};
+};
+
+/// On the point's triangle; 0 where that has no area.
+[[nodiscard]] FootprintAlongEdges alongEdges(const SurfacePoint& point, const Footprint& footprint);
 
 /// A footprint in the two sets of texture coordinates.
 class TextureFootprints {
  public:
-  TextureFootprints(const SurfacePoint& point, const Footprint& footprint);
+  TextureFootprints(const SurfacePoint& point, const FootprintAlongEdges& footprint, Detail detail);
 
   [[nodiscard]] const TextureFootprint& ofSet(int set) const { return footprints_[set == 1 ? 1 : 0]; }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "src/render/bsdf.h"
 #include "src/render/material_textures.h"
-#include "src/render/surfaces.h"
 
 namespace promenade::render {
 namespace {
@@ -14,11 +14,11 @@ constexpr float kMostAdded = 0.18f;
 
 }  // namespace
 
-float normalVariance(const SurfacePoint& point, const Footprint& footprint) {
-  const auto squaredTurn = [&](const glm::vec3& axis) {
-    const glm::vec2 inEdges = alongEdges(point, axis);
-    const glm::vec3 change = inEdges.x * point.normalEdge1 + inEdges.y * point.normalEdge2;
-    const glm::vec3 turn = change - glm::dot(change, point.normal) * point.normal;
+float normalVariance(const glm::vec3& normal, const NormalChange& change,
+                     const FootprintAlongEdges& footprint) {
+  const auto squaredTurn = [&](const glm::vec2& axis) {
+    const glm::vec3 changed = axis.x * change.edge1 + axis.y * change.edge2;
+    const glm::vec3 turn = changed - glm::dot(changed, normal) * normal;
     return glm::dot(turn, turn);
   };
   const float variance = (squaredTurn(footprint.major) + squaredTurn(footprint.minor)) / 12.0f;

@@ -5,16 +5,24 @@
 //   Kaplanyan, Hill, Patney, Lefohn, Filtering Distributions of Normals for Shading Antialiasing (HPG 2016)
 //   Tokuyoshi, Kaplanyan, Improved Geometric Specular Antialiasing (I3D 2019)
 
+#include <glm/vec3.hpp>
+
 namespace promenade::render {
 
 struct BsdfParameters;
-struct Footprint;
-struct SurfacePoint;
+struct FootprintAlongEdges;
 
-/// Variance of the unit normals over a footprint, both directions together: of a parallelogram over which the
-/// normal turns evenly by a along one side and b along the other, (a^2 + b^2) / 12. Going by the triangle
-/// alone, whose normals are interpolated. 0 for a footprint of no extent.
-[[nodiscard]] float normalVariance(const SurfacePoint& point, const Footprint& footprint);
+/// Of an interpolated normal along the two edges of its triangle, in units of its length.
+struct NormalChange {
+  glm::vec3 edge1{0.0f}, edge2{0.0f};
+};
+
+/// Variance of the unit normals over a footprint around where it is `normal`, both directions together: of a
+/// parallelogram over which the normal turns evenly by a along one side and b along the other,
+/// (a^2 + b^2) / 12. Going by the triangle alone, whose normals are interpolated. 0 for a footprint of no
+/// extent.
+[[nodiscard]] float normalVariance(const glm::vec3& normal, const NormalChange& change,
+                                   const FootprintAlongEdges& footprint);
 
 /// Perceptual roughness of the lobe that facets of `roughness` make whose mean normals vary: alpha^2 of GGX
 /// stands for twice the variance of slopes along one axis (Tokuyoshi and Kaplanyan 2019), so variances add

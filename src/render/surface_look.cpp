@@ -95,10 +95,21 @@ Rgb volumeTransmittance(const Material& material, float distance) {
                   Rgb(distance / material.attenuationDistanceMetres));
 }
 
+NormalChange Surfaces::normalChange(const SurfacePoint& point) const {
+  if (!(point.normalLength > 0.0f && std::isfinite(point.normalLength))) return {};
+  const Placement& p = placements_[point.instance];
+  const Mesh& mesh = scene_.meshes[p.mesh];
+  const glm::uvec3 t = mesh.triangles[point.triangle];
+  const glm::mat3 unitFromObject = p.worldNormalFromObject / point.normalLength;
+  return {unitFromObject * (mesh.normals[t.y] - mesh.normals[t.x]),
+          unitFromObject * (mesh.normals[t.z] - mesh.normals[t.x])};
+}
+
 SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& direction,
                              const Footprint& footprint) const {
   const Material& material = scene_.materials[static_cast<std::size_t>(point.material)];
-  const TextureFootprints footprints(point, footprint);
+  const FootprintAlongEdges axes = alongEdges(point, footprint);
+  const TextureFootprints footprints(point, axes, footprint.detail);
   const auto look = [&](const std::optional<Texture>& texture) {
     return textures_->at(*texture, point, footprints);
   };
@@ -125,7 +136,7 @@ SurfaceLook Surfaces::lookAt(const SurfacePoint& point, const glm::vec3& directi
 
   const float side = point.frontFace ? 1.0f : -1.0f;
   const bool isExact = footprint.detail == Detail::kFull;
-  const float turning = isExact ? normalVariance(point, footprint) : 0.0f;
+  const float turning = isExact ? normalVariance(point.normal, normalChange(point), axes) : 0.0f;
   struct Facing {
     glm::vec3 normal;
     float variance;

@@ -138,6 +138,7 @@ SurfacePoint Surfaces::pointAt(const Hit& hit, const glm::vec3& direction) const
   }
   SurfacePoint point;
   point.instance = hit.instance;
+  point.triangle = hit.triangle;
   point.material = mesh.material;
   point.edge1 = b - a;
   point.edge2 = c - a;
@@ -147,11 +148,7 @@ SurfacePoint Surfaces::pointAt(const Hit& hit, const glm::vec3& direction) const
   point.frontFace = glm::dot(point.geometricNormal, direction) <= 0.0f;
   const glm::vec3 normal = p.worldNormalFromObject * interpolate(mesh.normals, t, weights);
   point.normal = normalizedOr(normal, point.geometricNormal);
-  if (const float length = glm::length(normal); length > 0.0f && std::isfinite(length)) {
-    const glm::mat3 unitFromObject = p.worldNormalFromObject / length;
-    point.normalEdge1 = unitFromObject * (mesh.normals[t.y] - mesh.normals[t.x]);
-    point.normalEdge2 = unitFromObject * (mesh.normals[t.z] - mesh.normals[t.x]);
-  }
+  point.normalLength = glm::length(normal);
   if (!mesh.tangents.empty()) {
     const glm::vec4 tangent = interpolate(mesh.tangents, t, weights);
     const glm::vec3 world =

@@ -21,6 +21,7 @@
 namespace promenade::render {
 
 class MaterialTextures;
+struct NormalChange;
 
 /// A hit in world space, before its material is looked at.
 struct SurfacePoint {
@@ -31,9 +32,10 @@ struct SurfacePoint {
   glm::vec2 texCoord[2]{};
   glm::vec4 color{1.0f};
   glm::vec3 edge1{0.0f}, edge2{0.0f};                ///< of the triangle, world space
-  glm::vec3 normalEdge1{0.0f}, normalEdge2{0.0f};    ///< change of the interpolated normal along the edges
   glm::vec2 texCoordEdge1[2]{}, texCoordEdge2[2]{};  ///< the same in texture space, for footprints
+  float normalLength = 0.0f;  ///< of the interpolated normal, world space, before it was made unit
   std::uint32_t instance = 0;
+  std::uint32_t triangle = 0;
   int material = 0;
   bool frontFace = true;
 };
@@ -134,6 +136,8 @@ class Surfaces {
                                         const glm::vec3& normal, const glm::vec3& direction) const;
 
  private:
+  /// 0 where the normal was not interpolated.
+  [[nodiscard]] NormalChange normalChange(const SurfacePoint& point) const;
   [[nodiscard]] float alphaAt(const Mesh& mesh, const Material& material, std::uint32_t triangle,
                               glm::vec2 barycentric) const;
 

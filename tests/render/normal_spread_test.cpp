@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "src/render/material_textures.h"
 #include "src/render/microfacet.h"
 #include "src/render/path_renderer.h"
 #include "src/render/surfaces.h"
@@ -16,46 +17,59 @@
 namespace promenade::render {
 namespace {
 
-/// At the top of a sphere of radius `radius`: a small triangle with the sphere's normals.
-SurfacePoint onSphere(float radius) {
-  SurfacePoint point;
-  point.normal = point.geometricNormal = {0.0f, 1.0f, 0.0f};
-  point.edge1 = {0.01f, 0.0f, 0.0f};
-  point.edge2 = {0.003f, 0.0f, 0.02f};
-  point.normalEdge1 = point.edge1 / radius;
-  point.normalEdge2 = point.edge2 / radius;
-  return point;
-}
+/// A small triangle at the top of a sphere of radius `radius`, with the sphere's normals.
+struct Patch {
+  explicit Patch(float radius) {
+    point.normal = point.geometricNormal = {0.0f, 1.0f, 0.0f};
+    point.edge1 = {0.01f, 0.0f, 0.0f};
+    point.edge2 = {0.003f, 0.0f, 0.02f};
+    change = {point.edge1 / radius, point.edge2 / radius};
+  }
+  /// Of the normals within `major` along x and `minor` along z.
+  [[nodiscard]] float variance(float major, float minor) const {
+    const Footprint footprint{{major, 0.0f, 0.0f}, {0.0f, 0.0f, minor}, Detail::kFull};
+    return normalVariance(point.normal, change, alongEdges(point, footprint));
+  }
 
-Footprint footprint(float major, float minor) {
-  return {{major, 0.0f, 0.0f}, {0.0f, 0.0f, minor}, Detail::kFull};
+  SurfacePoint point;
+  NormalChange change;
+};
+
+TEST(FootprintAlongEdges, IsSolvedForTheTrianglesEdges) {
+  const Patch patch(1.0f);
+  // 0.05 z = 2.5 edge2 - 0.75 edge1.
+  const FootprintAlongEdges axes =
+      alongEdges(patch.point, {{0.02f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.05f}, Detail::kFull});
+  EXPECT_NEAR(axes.major.x, 2.0f, 1e-5f);
+  EXPECT_NEAR(axes.major.y, 0.0f, 1e-5f);
+  EXPECT_NEAR(axes.minor.x, -0.75f, 1e-5f);
+  EXPECT_NEAR(axes.minor.y, 2.5f, 1e-5f);
 }
 
 TEST(NormalVariance, OfASphereIsThatOfEvenTurns) {
   // Over a side of length s the normal turns evenly by s / radius: variance (s / radius)^2 / 12.
-  EXPECT_NEAR(normalVariance(onSphere(2.0f), footprint(0.5f, 0.2f)), (0.0625f + 0.01f) / 12.0f, 1e-6f);
-  EXPECT_EQ(normalVariance(onSphere(2.0f), footprint(0.0f, 0.0f)), 0.0f);
+  EXPECT_NEAR(Patch(2.0f).variance(0.5f, 0.2f), (0.0625f + 0.01f) / 12.0f, 1e-6f);
+  EXPECT_EQ(Patch(2.0f).variance(0.0f, 0.0f), 0.0f);
 }
 
 TEST(NormalVariance, OfACylinderComesFromTheWayRoundIt) {
-  SurfacePoint point = onSphere(1.0f);
+  Patch patch(1.0f);
   const auto around = [](const glm::vec3& edge) { return glm::vec3(edge.x, 0.0f, 0.0f); };
-  point.normalEdge1 = around(point.edge1);
-  point.normalEdge2 = around(point.edge2);
-  EXPECT_NEAR(normalVariance(point, footprint(0.3f, 5.0f)), 0.09f / 12.0f, 1e-6f);
+  patch.change = {around(patch.point.edge1), around(patch.point.edge2)};
+  EXPECT_NEAR(patch.variance(0.3f, 5.0f), 0.09f / 12.0f, 1e-6f);
 }
 
 TEST(NormalVariance, IsZeroOnFlatAndOnDegenerateTriangles) {
-  SurfacePoint flat = onSphere(1.0f);
-  flat.normalEdge1 = flat.normalEdge2 = glm::vec3(0.0f);
-  EXPECT_EQ(normalVariance(flat, footprint(1.0f, 1.0f)), 0.0f);
-  SurfacePoint line = onSphere(1.0f);
-  line.edge2 = 2.0f * line.edge1;
-  EXPECT_EQ(normalVariance(line, footprint(1.0f, 1.0f)), 0.0f);
+  Patch flat(1.0f);
+  flat.change = {};
+  EXPECT_EQ(flat.variance(1.0f, 1.0f), 0.0f);
+  Patch line(1.0f);
+  line.point.edge2 = 2.0f * line.point.edge1;
+  EXPECT_EQ(line.variance(1.0f, 1.0f), 0.0f);
   // Lengths of normals that were not unit before they were interpolated are no turn.
-  SurfacePoint longer = onSphere(1.0f);
-  longer.normalEdge1 = longer.normalEdge2 = {0.0f, 0.3f, 0.0f};
-  EXPECT_EQ(normalVariance(longer, footprint(0.01f, 0.01f)), 0.0f);
+  Patch longer(1.0f);
+  longer.change = {{0.0f, 0.3f, 0.0f}, {0.0f, 0.3f, 0.0f}};
+  EXPECT_EQ(longer.variance(0.01f, 0.01f), 0.0f);
 }
 
 TEST(BroadenedRoughness, AddsVariancesAndHasALimit) {
