@@ -21,6 +21,7 @@ constexpr int kMostDivisions = 64;
 /// Bright is what sends on more than this many times the mean of all surfaces that are known to be lit.
 constexpr float kBright = 3.0f;
 /// To see how much of a group comes to a cell.
+constexpr int kCellsAlongLongestSide = 40;
 constexpr int kRaysPerGroup = 12;
 static_assert(kRaysPerGroup <= EmbreeScene::kPacket);
 /// Of samples that go by how much would come if nothing stood between.
@@ -50,7 +51,7 @@ struct Lit {
 
 BrightSurfaces::BrightSurfaces(const Surfaces& surfaces, const EmbreeScene& embree,
                                const Luminance& luminance)
-    : surfaces_(surfaces), embree_(embree), views_(embree.bounds()) {
+    : surfaces_(surfaces), embree_(embree), views_(embree.bounds(), kCellsAlongLongestSide) {
   const EmbreeScene::Bounds bounds = embree.bounds();
   const glm::vec3 extent = bounds.upper - bounds.lower;
   const float width = std::max(extent.x, std::max(extent.y, extent.z)) / kPiecesAlongLongestSide;

@@ -34,11 +34,20 @@ class Jitter {
 
 /// One side of one cell.
 struct CellSide {
+  static constexpr int kSides = 6;
+  [[nodiscard]] static glm::vec3 axisOf(int side) {
+    glm::vec3 axis(0.0f);
+    axis[side / 2] = side % 2 == 0 ? 1.0f : -1.0f;
+    return axis;
+  }
+
   glm::vec3 corner{0.0f};  ///< of least coordinates
   float size = 1.0f;
   glm::vec3 axis{0.0f};  ///< which way the surfaces face, more or less: at most 55 degrees off
+  int side = 0;          ///< the number of `axis`, below CellSide::kSides
   std::uint64_t number = 0;
 
+  [[nodiscard]] glm::vec3 middle() const { return corner + 0.5f * size; }
   /// A point that such a surface may see. Points reach one cell further to the side that the surfaces face:
   /// most of their own cell may lie behind them.
   [[nodiscard]] glm::vec3 point(Jitter& jitter) const {
@@ -50,16 +59,17 @@ struct CellSide {
 template <class View>
 class CellViews {
  public:
-  explicit CellViews(const EmbreeScene::Bounds& bounds) : lower_(bounds.lower) {
+  /// Cells are cubes, `alongLongestSide` of them along the longest side of `bounds`.
+  CellViews(const EmbreeScene::Bounds& bounds, int alongLongestSide) : lower_(bounds.lower) {
     const glm::vec3 extent = bounds.upper - bounds.lower;
     const float longest = std::max(extent.x, std::max(extent.y, extent.z));
-    size_ = longest > 0.0f && std::isfinite(longest) ? longest / kCellsAlongLongestSide : 1.0f;
+    size_ = longest > 0.0f && std::isfinite(longest) ? longest / static_cast<float>(alongLongestSide) : 1.0f;
     for (int i = 0; i < 3; ++i) {
       const float count = std::ceil(extent[i] / size_);
-      cells_[i] = count >= 1.0f ? std::min(static_cast<int>(count), kCellsAlongLongestSide + 1) : 1;
+      cells_[i] = count >= 1.0f ? std::min(static_cast<int>(count), alongLongestSide + 1) : 1;
     }
     slotCount_ = static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
-                 static_cast<std::size_t>(cells_.z) * kSides;
+                 static_cast<std::size_t>(cells_.z) * CellSide::kSides;
     slots_ = std::make_unique<std::atomic<const View*>[]>(slotCount_);
   }
   ~CellViews() {
@@ -79,11 +89,10 @@ class CellViews {
     }
     const int side = sideOf(normal);
     const auto index = static_cast<std::size_t>((cell.z * cells_.y + cell.y) * cells_.x + cell.x);
-    const std::size_t slot = index * kSides + static_cast<std::size_t>(side);
+    const std::size_t slot = index * CellSide::kSides + static_cast<std::size_t>(side);
     const View* view = slots_[slot].load(std::memory_order_acquire);
     if (view != nullptr) return *view;
-    CellSide place{lower_ + size_ * glm::vec3(cell), size_, glm::vec3(0.0f), slot};
-    place.axis[side / 2] = side % 2 == 0 ? 1.0f : -1.0f;
+    const CellSide place{lower_ + size_ * glm::vec3(cell), size_, CellSide::axisOf(side), side, slot};
     // Two threads may fill the same cell at once; both find the same, and one result is kept.
     std::unique_ptr<View> fresh = make(place);
     if (slots_[slot].compare_exchange_strong(view, fresh.get(), std::memory_order_acq_rel))
@@ -92,9 +101,6 @@ class CellViews {
   }
 
  private:
-  static constexpr int kCellsAlongLongestSide = 40;
-  static constexpr int kSides = 6;
-
   static int sideOf(const glm::vec3& normal) {
     const glm::vec3 a = glm::abs(normal);
     const int dimension = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);

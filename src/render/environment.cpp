@@ -139,8 +139,18 @@ float EnvironmentLight::densityAt(glm::vec2 uv) const {
 }
 
 float EnvironmentLight::pdf(const glm::vec3& direction) const {
-  if (uniform_) return luminance(meanRadiance_) > 0.0f ? 1.0f / (4.0f * kPi) : 0.0f;
+  if (uniform_) return uniformPdf();
   return density_.empty() ? 0.0f : densityAt(imagePosition(direction));
+}
+
+float EnvironmentLight::uniformPdf() const {
+  return luminance(meanRadiance_) > 0.0f ? 1.0f / (4.0f * kPi) : 0.0f;
+}
+
+EnvironmentSample EnvironmentLight::toward(const glm::vec3& direction) const {
+  if (uniform_) return {direction, radiance_(0, 0), uniformPdf()};
+  const glm::vec2 uv = imagePosition(direction);
+  return {direction, bilinear(radiance_, uv), density_.empty() ? 0.0f : densityAt(uv)};
 }
 
 EnvironmentSample EnvironmentLight::sample(glm::vec2 u) const {
@@ -149,7 +159,7 @@ EnvironmentSample EnvironmentLight::sample(glm::vec2 u) const {
     const float y = 1.0f - 2.0f * u.y;
     const float sine = std::sqrt(std::max(0.0f, 1.0f - y * y));
     const float phi = 2.0f * kPi * u.x;
-    return {{sine * std::cos(phi), y, sine * std::sin(phi)}, radiance_(0, 0), 1.0f / (4.0f * kPi)};
+    return {{sine * std::cos(phi), y, sine * std::sin(phi)}, radiance_(0, 0), uniformPdf()};
   }
   if (density_.empty()) return {};
   // A texel by its weight, then a point under the tent of bilinear interpolation around its centre. A tent

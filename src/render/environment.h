@@ -30,6 +30,8 @@ class EnvironmentLight {
   /// `direction`: unit, world space.
   [[nodiscard]] Rgb radiance(const glm::vec3& direction) const;
   [[nodiscard]] EnvironmentSample sample(glm::vec2 u) const;
+  /// As if sample() had chosen `direction`; the radiance is there where the density is 0, too.
+  [[nodiscard]] EnvironmentSample toward(const glm::vec3& direction) const;
   /// Density per solid angle with which sample() chooses `direction`.
   [[nodiscard]] float pdf(const glm::vec3& direction) const;
   /// Average radiance over the sphere of directions: for choosing between lights.
@@ -38,6 +40,7 @@ class EnvironmentLight {
  private:
   [[nodiscard]] glm::vec2 imagePosition(const glm::vec3& direction) const;
   [[nodiscard]] float densityAt(glm::vec2 uv) const;
+  [[nodiscard]] float uniformPdf() const;
 
   Image<Rgb> radiance_;
   float rotationTurns_ = 0.0f;

@@ -116,11 +116,14 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
     ++rays.scattered;
     if (!hit.found()) {
       if (environment_) {
-        const float weight = path.scatterDelta
-                                 ? 1.0f
-                                 : powerHeuristic(path.scatterPdf, sky_->pdf(*path.sky, path.direction) *
-                                                                       path.shares.environment);
-        add(path.throughput * environment_->radiance(path.direction) * weight, path.bounces);
+        Rgb arriving;
+        if (path.scatterDelta) {
+          arriving = environment_->radiance(path.direction);
+        } else {
+          const EnvironmentSample s = sky_->toward(*path.sky, path.direction);
+          arriving = s.radiance * powerHeuristic(path.scatterPdf, s.pdf * path.shares.environment);
+        }
+        add(path.throughput * arriving, path.bounces);
       }
       break;
     }

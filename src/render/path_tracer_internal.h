@@ -3,16 +3,15 @@
 // path_solution.cpp (what uses that light).
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "src/render/basis.h"
 #include "src/render/path_tracer.h"
 #include "src/render/ray_offset.h"
 #include "src/render/scattering_surface.h"
+#include "src/render/shadow_batch.h"
 
 namespace promenade::render {
 
@@ -166,40 +165,6 @@ inline Sampler::Stream sharedNumbers(Sampler::Stream stream) {
 
 /// Straight through panes and blended surfaces, along one path.
 constexpr int kMostPassages = 64;
-
-/// Shadow rays that travel in packets, because they share their origin or nearly so. Calls
-/// arrive(payload, transmittance) for each.
-template <class Payload, class Arrive>
-class ShadowBatch {
- public:
-  ShadowBatch(const EmbreeScene& embree, Arrive arrive) : embree_(embree), arrive_(std::move(arrive)) {}
-
-  void add(const Ray& ray, const Payload& payload) {
-    const auto i = static_cast<std::size_t>(count_++);
-    rays_[i] = ray;
-    payloads_[i] = payload;
-    if (count_ == EmbreeScene::kPacket) flush();
-  }
-  void flush() {
-    if (count_ == 0) return;
-    const auto transmittance = embree_.transmittance(rays_, count_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-      arrive_(payloads_[i], transmittance[i]);
-    count_ = 0;
-  }
-
- private:
-  const EmbreeScene& embree_;
-  Arrive arrive_;
-  int count_ = 0;
-  std::array<Ray, EmbreeScene::kPacket> rays_;
-  std::array<Payload, EmbreeScene::kPacket> payloads_;
-};
-
-template <class Payload, class Arrive>
-ShadowBatch<Payload, Arrive> shadowBatch(const EmbreeScene& embree, Arrive arrive) {
-  return ShadowBatch<Payload, Arrive>(embree, std::move(arrive));
-}
 
 /// Calls add(shadow ray, diffuse, view-dependent) for each light point chosen. Shares that sum to at most 1
 /// are the probabilities that one kind of light is asked; otherwise each kind is asked with its own. `times`:

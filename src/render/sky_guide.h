@@ -7,9 +7,12 @@
 // may face, a histogram over directions of visible radiance times cosine, filled by rays from random points
 // of the cell when it is first asked for. (The portals of Bitterli et al., Portal-Masked Environment Map
 // Sampling (EGSR 2015), without placing portals; the histograms are those of Jensen, Importance driven path
-// tracing using the photon map (1995).) Directions are drawn from a mixture of the histogram and the
-// environment's own density, so nothing is biased where the histogram is wrong. A histogram depends on
-// nothing but its cell: images stay the same for any number of threads. Not part of the folder's public face.
+// tracing using the photon map (1995).) A cell looks only where a coarse cell around it has seen sky, which
+// indoors is a small part of the directions.
+//
+// Directions are drawn from a mixture of the histogram and the environment's own density, so nothing is
+// biased where the histogram is wrong. A histogram depends on nothing but its cell: images stay the same for
+// any number of threads. Not part of the folder's public face.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -34,6 +37,7 @@ class SkyGuide {
     std::array<float, kEdge>
         rowEnds;  ///< cumulative at the last bin of each row: a search stays in few cache lines
     std::array<float, kBins> cumulative;  ///< the last is 1 (unless nothing of the sky is seen)
+    float light = 0.0f;  ///< that the histogram counts: radiance times cosine, summed over the bins
     float share = 0.0f;  ///< of samples drawn from the histogram; the rest from the environment
   };
 
@@ -45,14 +49,30 @@ class SkyGuide {
 
   [[nodiscard]] EnvironmentSample sample(const View& view, float choose, glm::vec2 u) const;
   /// Density per solid angle with which sample() chooses the unit vector `direction`.
-  [[nodiscard]] float pdf(const View& view, const glm::vec3& direction) const;
+  [[nodiscard]] float pdf(const View& view, const glm::vec3& direction) const {
+    return toward(view, direction).pdf;
+  }
+  /// As if sample() had chosen `direction`.
+  [[nodiscard]] EnvironmentSample toward(const View& view, const glm::vec3& direction) const;
 
  private:
-  [[nodiscard]] std::unique_ptr<View> look(const CellSide& from) const;
+  /// The sky in a bin.
+  struct Bin {
+    float radiance = 0.0f;  ///< mean over the bin and the colours
+    int raysByLight = 0;    ///< that look at it besides those of every bin: none but where a sun stands
+  };
+
+  void fillBins();
+  /// `around`: what is seen from a larger cell; null: nothing is known.
+  [[nodiscard]] std::unique_ptr<View> look(const CellSide& from, const View* around) const;
 
   const EmbreeScene& embree_;
   const EnvironmentLight& environment_;
-  CellViews<View> views_;
+  std::array<Bin, kBins> bins_{};
+  /// What the sky would send to a surface on each side of a cell if nothing stood before it, as bins_ count
+  /// it.
+  std::array<float, CellSide::kSides> unobstructed_{};
+  CellViews<View> coarse_, fine_;
 };
 
 }  // namespace promenade::render

@@ -54,6 +54,20 @@ glm::vec2 pointOf(std::uint32_t i) {
   return sampler.next2D();
 }
 
+TEST(EnvironmentLight, KnowsTheSampleOfADirection) {
+  const EnvironmentLight varied(noise({31, 17}));
+  const EnvironmentLight uniform(tests::uniformSky(Rgb(2.0f)));
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    for (const EnvironmentLight* light : {&varied, &uniform}) {
+      const glm::vec3 direction = light->sample(pointOf(i)).direction;
+      const EnvironmentSample s = light->toward(direction);
+      EXPECT_EQ(s.direction, direction);
+      EXPECT_EQ(s.radiance, light->radiance(direction));
+      EXPECT_EQ(s.pdf, light->pdf(direction));
+    }
+  }
+}
+
 TEST(EnvironmentLight, LooksTowardMinusZInTheCentreAndUpAtTheTop) {
   // 8 x 4: column 3 and 4 meet at u = 0.5, which is -Z; u = 0.75, between 5 and 6, is +X; row 0 is up.
   const EnvironmentLight light(environmentOf({8, 4}, [](int x, int y) { return Rgb(x, y, 1.0f); }));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "src/render/surfaces.h"
 #include "tests/render/scenes.h"
@@ -90,6 +91,77 @@ TEST(SkyGuide, KeepsToTheEnvironmentWhereNoSkyIsSeen) {
   EXPECT_EQ(view.share, 0.0f);
   const glm::vec3 up(0.0f, 1.0f, 0.0f);
   EXPECT_EQ(guide.pdf(view, up), environment.pdf(up));
+}
+
+TEST(SkyGuide, SeesASmallWindowFromDeepInTheRoom) {
+  // A metre of sky, 9 m away: less than a bin.
+  Room room;
+  const float low = 4.5f, high = 5.5f;
+  tests::place(room.scene, tests::quad({10, 0, 0}, {0, low, 0}, {0, 0, 10}, 0));
+  tests::place(room.scene, tests::quad({10, high, 0}, {0, 10 - high, 0}, {0, 0, 10}, 0));
+  tests::place(room.scene, tests::quad({10, low, 0}, {0, high - low, 0}, {0, 0, low}, 0));
+  tests::place(room.scene, tests::quad({10, low, high}, {0, high - low, 0}, {0, 0, 10 - high}, 0));
+  const Surfaces surfaces(room.scene);
+  const EmbreeScene embree(surfaces, 1);
+  const EnvironmentLight environment(*room.scene.environment);
+  const SkyGuide guide(embree, environment);
+  // Not from everywhere, for a bin is looked at by a few rays only, but from nearly everywhere.
+  int found = 0, asked = 0;
+  for (float y = 0.1f; y < 10.0f; y += 0.5f) {
+    for (float z = 0.1f; z < 10.0f; z += 0.5f) {
+      const glm::vec3 position(1.0f, y, z);
+      const glm::vec3 toward = glm::normalize(glm::vec3(10.0f, 5.0f, 5.0f) - position);
+      const SkyGuide::View& view = guide.viewFrom(position, {1.0f, 0.0f, 0.0f});
+      found += guide.pdf(view, toward) > 2.0f * environment.pdf(toward) ? 1 : 0;
+      ++asked;
+    }
+  }
+  EXPECT_GT(found, asked * 3 / 4);
+}
+
+/// A sky with a sun of 3 degrees around a pixel, which sends 20 times as much light as all the rest.
+Environment skyWithSun(int column, int row) {
+  Environment sky;
+  sky.radiance = RadianceMap({256, 128}, Rgb(1.0f));
+  for (int y = row; y < row + 2; ++y) {
+    for (int x = column; x < column + 2; ++x) sky.radiance(x, y) = Rgb(1e5f);
+  }
+  return sky;
+}
+
+TEST(SkyGuide, LeavesToTheEnvironmentWhatArrives) {
+  const auto share = [](int column, int row, const glm::vec3& position, const glm::vec3& normal) {
+    Room room;
+    room.scene.environment = skyWithSun(column, row);
+    const Surfaces surfaces(room.scene);
+    const EmbreeScene embree(surfaces, 1);
+    const EnvironmentLight environment(*room.scene.environment);
+    return SkyGuide(embree, environment).viewFrom(position, normal).share;
+  };
+  // The sun stands before the open side, three quarters along the image, or above the ceiling.
+  EXPECT_LT(share(191, 63, {5.0f, 5.0f, 5.0f}, {1.0f, 0.0f, 0.0f}), 0.3f);
+  EXPECT_GT(share(191, 20, {5.0f, 5.0f, 5.0f}, {1.0f, 0.0f, 0.0f}), 0.8f);
+}
+
+TEST(SkyGuide, IsTheSameInWhateverOrderItIsAsked) {
+  Room room;
+  room.scene.environment = skyWithSun(191, 63);
+  const Surfaces surfaces(room.scene);
+  const EmbreeScene embree(surfaces, 1);
+  const EnvironmentLight environment(*room.scene.environment);
+  const SkyGuide one(embree, environment);
+  const SkyGuide other(embree, environment);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> along(0.0f, 10.0f);
+  std::vector<glm::vec3> positions(200);
+  for (glm::vec3& p : positions) p = {along(random), along(random), along(random)};
+  const glm::vec3 up(0.0f, 1.0f, 0.0f);
+  for (const glm::vec3& p : positions) (void)one.viewFrom(p, up);
+  for (auto p = positions.rbegin(); p != positions.rend(); ++p) (void)other.viewFrom(*p, up);
+  for (const glm::vec3& p : positions) {
+    EXPECT_EQ(one.viewFrom(p, up).share, other.viewFrom(p, up).share);
+    EXPECT_EQ(one.viewFrom(p, up).cumulative, other.viewFrom(p, up).cumulative);
+  }
 }
 
 }  // namespace
