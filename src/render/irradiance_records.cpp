@@ -275,7 +275,8 @@ void IrradianceRecords::place(const RecordPlace& place) {
   }
 }
 
-void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields) {
+void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields,
+                                 Noise noise) {
   assert(light.size() <= places_.size());
   assert(fields.empty() || fields.size() == light.size());
   fields_ = std::move(fields);
@@ -290,14 +291,14 @@ void IrradianceRecords::setLight(std::vector<SurfaceLight> light, std::vector<Li
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(fits.size()),
                       [this, &fits](std::uint32_t i) { fits[i] = fitAround(i); });
   };
-  for (int pass = 0; pass < kSmoothings; ++pass) {
+  for (int pass = 0; noise == Noise::kTakenOut && pass < kSmoothings; ++pass) {
     fitAll();
     for (std::size_t i = 0; i < fits.size(); ++i) {
       // What the neighbours expect here is taken as far as it explains what was gathered by its noise.
       const float gathered = luminance(gathered_[i].radiance);
       const float surprise = std::abs(luminance(fits[i].radiance) - gathered);
-      const float noise = kNoise * gathered_[i].error;
-      const float trust = noise > 0.0f ? std::clamp(2.0f - surprise / noise, 0.0f, 1.0f) : 0.0f;
+      const float expected = kNoise * gathered_[i].error;
+      const float trust = expected > 0.0f ? std::clamp(2.0f - surprise / expected, 0.0f, 1.0f) : 0.0f;
       known_[i].fit.radiance = glm::mix(gathered_[i].radiance, glm::max(fits[i].radiance, Rgb(0.0f)), trust);
     }
   }
@@ -391,12 +392,12 @@ std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, con
   return SurfaceLight{sum.radiance / weights, sum.meanDirection / weights};
 }
 
-std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position,
-                                                         const glm::vec3& normal) const {
+std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position, const glm::vec3& normal,
+                                                         float mostReach) const {
   float best = 0.0f;
   std::optional<Entry> nearest;
   forEachLitNear(position, normal, [&](const Entry& entry, float weight) {
-    if (weight > best) {
+    if (weight > best && entry.place.reach <= mostReach) {
       best = weight;
       nearest = entry;
     }

@@ -72,19 +72,26 @@ class IrradianceRecords {
   /// In the order of placing.
   [[nodiscard]] const std::vector<RecordPlace>& places() const { return places_; }
 
+  /// What becomes of noise that a record's neighbours do not share. Where many paths bring the light of many
+  /// records together, it averages out by itself, and must be left in: a record that is by chance too bright
+  /// is also less sure of itself, so that what takes noise out makes the whole too dark.
+  enum class Noise { kTakenOut, kLeftIn };
   /// Light of the first records, as many as `light` has, as it was gathered; the others are ignored until
   /// theirs is set. `fields`: the same light by direction, in units of the luminance of its radiance; or
   /// nothing.
-  void setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields = {});
+  void setLight(std::vector<SurfaceLight> light, std::vector<LightField> fields = {},
+                Noise noise = Noise::kTakenOut);
   [[nodiscard]] const std::vector<SurfaceLight>& light() const { return gathered_; }
   [[nodiscard]] const std::vector<LightField>& fields() const { return fields_; }
 
   /// Nothing where no lit record reaches.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
   /// What one record that covers the place says: several times quicker than at(), and continuous only as far
-  /// as neighbouring records agree. Good enough for light that bounces on.
-  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
-                                                      const glm::vec3& normal) const;
+  /// as neighbouring records agree. Good enough for light that bounces on. Records that reach farther than
+  /// `mostReach` are left out.
+  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(
+      const glm::vec3& position, const glm::vec3& normal,
+      float mostReach = std::numeric_limits<float>::infinity()) const;
   /// Weights >= 0 for the cells of a light field in a frame (world space), solid angle included.
   using DirectionWeights = std::function<LightField::Weights(const Basis&)>;
   /// Mean radiance that arrives at a place, weighted by its direction. Nothing where no lit record with a

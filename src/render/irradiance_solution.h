@@ -3,9 +3,9 @@
 // for the whole walk. Interpolation: irradiance_records.h.
 //
 // 1. Coarse records cover what the cameras see and what light bounces off on its way there. Their light is
-//    gathered by path tracing with few paths, then again with more paths that end at the first surface the
-//    first result knows: the errors of single records average out over the hemisphere. They serve for
-//    bounces only.
+//    gathered by path tracing with few paths, then again with paths that end at the first surface the
+//    last result knows and is far enough: the errors of single records average out over the hemisphere. They
+//    serve for bounces only.
 // 2. Fine records for what the cameras see are gathered with paths that end at the coarse ones (final
 //    gathering), level by level: each level half as far apart, where nothing reaches, or where the light
 //    that the records around a place say is there differs by more than a viewer should see.
@@ -47,10 +47,13 @@ struct SolutionSettings {
   float disagreement = 0.05f;
   float darkness = 0.1f;
 
-  int coarsePaths = 128;  ///< per record
-  /// Where the standard error of the coarse records is more than this share of their light on average, bright
-  /// surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way of a patch of sun
-  /// has 0.13, a hall under windows 0.05 and nothing to gain.
+  int coarsePaths = 128;  ///< per record, until it is known how noisy they are
+  /// ... in the last pass, unless they are noisy. What all have too much or too little of moves the whole
+  /// picture.
+  int lastCoarsePaths = 512;
+  /// Where the standard error of the coarse records (of coarsePaths) is more than this share of their light
+  /// on average, bright surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way
+  /// of a patch of sun has 0.13, a hall under windows 0.05 and nothing to gain.
   double noisy = 0.08;
   /// Per coarse record of such a scene in the last pass, less before. The errors of coarse records do not
   /// average out where few of them send most of the light: then they move the whole picture.
@@ -71,9 +74,11 @@ struct LightSolution {
   [[nodiscard]] bool isFor(const Camera& camera) const;
   /// Nothing where neither knows.
   [[nodiscard]] std::optional<SurfaceLight> at(const glm::vec3& position, const glm::vec3& normal) const;
-  /// ... from single records: for light that many paths bring together.
-  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position,
-                                                      const glm::vec3& normal) const;
+  /// ... from single records: for light that many paths bring together, from there to a place at that
+  /// `distance`. Nothing where a coarse record reaches so far that it would blur what the place sees: beside
+  /// the edge of a room, how its other wall darkens toward the edge.
+  [[nodiscard]] std::optional<SurfaceLight> roughlyAt(const glm::vec3& position, const glm::vec3& normal,
+                                                      float distance) const;
 };
 
 /// Makes a solution level by level, each with records half as far apart as the one before. The first also

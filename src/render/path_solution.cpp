@@ -2,6 +2,8 @@
 
 #include "src/render/path_tracer_internal.h"
 
+#include <limits>
+
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
 #include "src/render/stratified_mean.h"
@@ -9,6 +11,8 @@
 namespace promenade::render {
 namespace {
 
+/// Distance of whoever asks for light, where no one in particular does.
+constexpr float kFar = std::numeric_limits<float>::infinity();
 /// Less than this of white light is not worth a ray.
 constexpr float kLeastTraced = 0.002f;
 /// Up to this share of what a surface sends back all samples share their random numbers. (A stronger
@@ -51,9 +55,9 @@ std::shared_ptr<const BrightSurfaces> PathTracer::findBright() const {
         // Most of a scene is not known, and quickly passed over.
         const SurfacePoint point = surfaces_.pointAt(hit, direction);
         const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
-        if (!settings_.solution->roughlyAt(point.position, facing)) return 0.0f;
+        if (!settings_.solution->roughlyAt(point.position, facing, kFar)) return 0.0f;
         PathRays uncounted;
-        return luminance(sentBackAt(hit, direction, width, uncounted));
+        return luminance(sentBackAt(hit, direction, width, kFar, uncounted));
       });
 }
 
@@ -67,10 +71,11 @@ PathTracer::SentBack PathTracer::sentBack(const Vertex& vertex, const Scattering
   return {reflected * under + direct.diffuse + direct.viewDependent, isBroad};
 }
 
-Rgb PathTracer::sentBackAt(const Hit& hit, const glm::vec3& direction, float width, PathRays& rays) const {
+Rgb PathTracer::sentBackAt(const Hit& hit, const glm::vec3& direction, float width, float distance,
+                           PathRays& rays) const {
   Vertex vertex = vertexAt(hit, direction, {width, true});
   if (vertex.look.unlit || !(vertex.wo.z > 0.0f)) return Rgb(0.0f);
-  const std::optional<SurfaceLight> known = lightFromSolution(vertex, Interpolation::kRough);
+  const std::optional<SurfaceLight> known = lightFromSolution(vertex, distance);
   if (!known) return Rgb(0.0f);
   roughen(vertex.look.bsdf, settings_.leastIndirectRoughness);
   const ScatteringSurface scattering(vertex.look.bsdf, vertex.wo);
@@ -79,15 +84,15 @@ Rgb PathTracer::sentBackAt(const Hit& hit, const glm::vec3& direction, float wid
 
 Rgb PathTracer::sentBy(const TowardBright& bright, PathRays& rays) const {
   const BrightSurfaces::Chosen& chosen = bright.chosen;
-  return sentBackAt(chosen.hit, chosen.direction, bright.spread * chosen.hit.distance, rays);
+  return sentBackAt(chosen.hit, chosen.direction, bright.spread * chosen.hit.distance, chosen.hit.distance,
+                    rays);
 }
 
 std::optional<SurfaceLight> PathTracer::lightFromSolution(const Vertex& vertex,
-                                                          Interpolation interpolation) const {
+                                                          std::optional<float> blurredOver) const {
   if (!settings_.solution) return std::nullopt;
-  return interpolation == Interpolation::kRough
-             ? settings_.solution->roughlyAt(vertex.position, vertex.facing)
-             : settings_.solution->at(vertex.position, vertex.facing);
+  return blurredOver ? settings_.solution->roughlyAt(vertex.position, vertex.facing, *blurredOver)
+                     : settings_.solution->at(vertex.position, vertex.facing);
 }
 
 SampleRadiance PathTracer::fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
@@ -113,7 +118,7 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   const BsdfAlbedo albedo = scattering.albedo();
   const std::optional<SurfaceLight> known =
       largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf)
-          ? lightFromSolution(vertex, Interpolation::kSmooth)
+          ? lightFromSolution(vertex, std::nullopt)
           : SurfaceLight{};
   SampleRadiance result = fromDeltaLights(vertex, scattering, rays);
   Rgb traced = albedo.viewDependent;

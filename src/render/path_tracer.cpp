@@ -172,8 +172,9 @@ Rgb PathTracer::follow(Carried path, Sampler& sampler, PathRays& rays) const {
       passStraight(through);
       continue;
     }
-    const std::optional<SurfaceLight> known =
-        lightFromSolution(vertex, path.blurred ? Interpolation::kRough : Interpolation::kSmooth);
+    const std::optional<SurfaceLight> known = lightFromSolution(
+        vertex,
+        path.blurred ? std::optional(glm::length(vertex.position - path.scatterPosition)) : std::nullopt);
     if (known) {
       const SentBack sent = sentBack(vertex, scattering, *known, path.blurred, rays);
       float weight = 1.0f;

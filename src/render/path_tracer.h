@@ -119,14 +119,15 @@ class PathTracer {
   };
   [[nodiscard]] SentBack sentBack(const Vertex& vertex, const ScatteringSurface& scattering,
                                   const SurfaceLight& known, bool blurred, PathRays& rays) const;
-  /// The same for a point that a blurred path comes to.
-  [[nodiscard]] Rgb sentBackAt(const Hit& hit, const glm::vec3& direction, float width, PathRays& rays) const;
+  /// The same for a point that a blurred path comes to over that distance.
+  [[nodiscard]] Rgb sentBackAt(const Hit& hit, const glm::vec3& direction, float width, float distance,
+                               PathRays& rays) const;
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
-  enum class Interpolation { kSmooth, kRough };
+  /// `blurredOver`: distance to the scattering that blurs what lies there; nothing where it is seen sharply.
   [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex,
-                                                              Interpolation interpolation) const;
+                                                              std::optional<float> blurredOver) const;
   // What arrives along a line of sight that ends at `hit`; what its end sends there; and by way of it, of
   // which it gets `share`.
   [[nodiscard]] SampleRadiance see(Sight sight, const Hit& hit, const Sampler::Stream& stream,

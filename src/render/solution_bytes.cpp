@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 /// Changes with the layout and with what decides the light.
-constexpr std::string_view kSignature = "PromenadeLight6\n";
+constexpr std::string_view kSignature = "PromenadeLight7\n";
 
 std::uint64_t checksum(std::string_view bytes) {
   return fnv1a(std::as_bytes(std::span(bytes)));
@@ -99,7 +99,7 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-[[nodiscard]] std::optional<IrradianceRecords> recordsFrom(Reader& in) {
+[[nodiscard]] std::optional<IrradianceRecords> recordsFrom(Reader& in, IrradianceRecords::Noise noise) {
   const auto count = in.get<std::uint64_t>();
   const bool hasFields = in.get<std::uint32_t>() != 0;
   if (count > in.left() / (kRecordBytes + (hasFields ? kFieldBytes : 0))) return std::nullopt;
@@ -124,7 +124,7 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     if (!hasFields) continue;
     for (std::uint32_t& cell : fields[i].packed()) cell = in.get<std::uint32_t>();
   }
-  records.setLight(std::move(lights), std::move(fields));
+  records.setLight(std::move(lights), std::move(fields), noise);
   return records;
 }
 
@@ -159,8 +159,8 @@ std::shared_ptr<const LightSolution> lightSolutionFrom(std::string_view bytes, s
   const auto cameras = in.get<std::uint64_t>();
   if (cameras > in.left() / sizeof(std::uint64_t)) return nullptr;
   for (std::uint64_t i = 0; i < cameras; ++i) solution.cameras.push_back(in.get<std::uint64_t>());
-  std::optional<IrradianceRecords> coarse = recordsFrom(in);
-  std::optional<IrradianceRecords> fine = recordsFrom(in);
+  std::optional<IrradianceRecords> coarse = recordsFrom(in, IrradianceRecords::Noise::kLeftIn);
+  std::optional<IrradianceRecords> fine = recordsFrom(in, IrradianceRecords::Noise::kTakenOut);
   if (!coarse || !fine || !in.good() || in.left() != 0) return nullptr;
   solution.coarse = std::move(*coarse);
   solution.fine = std::move(*fine);

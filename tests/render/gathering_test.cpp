@@ -29,8 +29,8 @@ struct HalvedFloor {
     tests::place(scene, tests::quad(-2e3f * along, 2e3f * across, 4e3f * along, 1));
     tracer = std::make_unique<PathTracer>(scene, PathSettings{});
     LightSolution solution;
-    solution.coarse.place({{0, 0, 0}, kUp, 1e4f});
-    solution.coarse.setLight({{Rgb(1.0f), (2.0f / 3.0f) * kUp}});
+    solution.fine.place({{0, 0, 0}, kUp, 1e4f});
+    solution.fine.setLight({{Rgb(1.0f), (2.0f / 3.0f) * kUp}});
     tracer->setSolution(std::make_shared<const LightSolution>(std::move(solution)));
   }
 };

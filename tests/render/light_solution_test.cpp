@@ -129,6 +129,47 @@ TEST(IrradianceRecords, TakeOutNoiseThatNeighboursDoNotShare) {
   EXPECT_NEAR(exact.roughlyAt({0, 0, 0}, kUp)->radiance.r, 5.2f, 1e-4f);
 }
 
+// Half of the records are by chance too bright by half, and know that little less well than the others: what
+// takes the noise out believes the dark ones, and only what is left as it was is right on average.
+TEST(IrradianceRecords, KeepTheirMeanWhereNoiseIsLeftIn) {
+  const auto meanOf = [](IrradianceRecords::Noise noise) {
+    IrradianceRecords records;
+    std::vector<SurfaceLight> light;
+    for (int z = -6; z <= 6; ++z) {
+      for (int x = -6; x <= 6; ++x) {
+        records.place({{0.7f * static_cast<float>(x), 0.0f, 0.7f * static_cast<float>(z)}, kUp, 1.0f});
+        const bool isBright = (x + z) % 2 == 0;
+        light.push_back(lightOf(isBright ? 1.5f : 0.5f));
+        light.back().error = isBright ? 0.6f : 0.1f;
+      }
+    }
+    records.setLight(std::move(light), {}, noise);
+    double sum = 0.0;
+    int count = 0;
+    for (int z = -2; z <= 1; ++z) {
+      for (int x = -2; x <= 1; ++x, ++count) {
+        sum += records.roughlyAt({0.7f * static_cast<float>(x), 0.0f, 0.7f * static_cast<float>(z)}, kUp)
+                   ->radiance.r;
+      }
+    }
+    return sum / count;
+  };
+  EXPECT_NEAR(meanOf(IrradianceRecords::Noise::kLeftIn), 1.0, 1e-5);
+  EXPECT_LT(meanOf(IrradianceRecords::Noise::kTakenOut), 0.8);
+}
+
+TEST(IrradianceRecords, AreLeftOutWhereTheyReachTooFar) {
+  IrradianceRecords records;
+  records.place({{0, 0, 0}, kUp, 1.0f});
+  records.place({{0.3f, 0, 0}, kUp, 0.5f});
+  records.setLight({lightOf(4.0f), lightOf(1.0f)});
+  // A gradient changes a record's light by half at most.
+  EXPECT_GE(records.roughlyAt({-0.1f, 0, 0}, kUp, 1.0f)->radiance.r, 2.0f);
+  EXPECT_LE(records.roughlyAt({-0.1f, 0, 0}, kUp, 0.9f)->radiance.r, 1.5f);
+  EXPECT_FALSE(records.roughlyAt({-0.3f, 0, 0}, kUp, 0.9f).has_value());
+  EXPECT_FALSE(records.roughlyAt({-0.1f, 0, 0}, kUp, 0.4f).has_value());
+}
+
 TEST(IrradianceRecords, KeepWhatStandsOutOfTheNoise) {
   const IrradianceRecords records =
       floorRecords([](int x, int z) { return x == 0 && z == 0 ? 9.0f : 5.0f; }, 0.3f);
@@ -202,8 +243,8 @@ TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
   tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
   PathTracer tracer(scene, PathSettings{});
   LightSolution solution;
-  solution.coarse.place({{0, 0, 0}, kUp, 1e4f});
-  solution.coarse.setLight({lightOf(1.0f)});
+  solution.fine.place({{0, 0, 0}, kUp, 1e4f});
+  solution.fine.setLight({lightOf(1.0f)});
   tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
   const auto [mean, deviation] = tests::gatherOften(tracer, {0, 1, 0}, -kUp, 16);
   EXPECT_NEAR(mean, 0.5, 0.002);
@@ -211,6 +252,21 @@ TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
   // of 0.32, a sixteenth of that for 256 independent paths. That is smooth over the square of random
   // numbers, so stratified paths leave less than a fifth of it.
   EXPECT_LT(deviation, 0.2 * 0.32 / 16.0);
+}
+
+TEST(PathTracer, GathersFromCoarseRecordsOnlyWhatIsFarForTheirReach) {
+  // A record that says 1 within 4 m around the foot of a place 1 m above a floor without light: it counts
+  // from 2 m on, that is where the cosine is under 1/2, and ends where it is 1 / sqrt(17). Shares of the
+  // light go by its square.
+  Scene scene;
+  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
+  tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
+  PathTracer tracer(scene, PathSettings{});
+  LightSolution solution;
+  solution.coarse.place({{0, 0, 0}, kUp, 4.0f});
+  solution.coarse.setLight({lightOf(1.0f)});
+  tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
+  EXPECT_NEAR(tests::gatherOften(tracer, {0, 1, 0}, -kUp, 64).mean, 0.5 * (1.0 / 4.0 - 1.0 / 17.0), 0.003);
 }
 
 TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {
