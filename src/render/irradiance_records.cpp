@@ -32,6 +32,8 @@ constexpr float kCovered = 0.65f;
 constexpr float kMostChange = 0.5f;
 /// ... and fits within this variance of the neighbours' positions (in reaches, squared) are held flat.
 constexpr float kRidge = 0.02f;
+/// So many reaches deep in a wall it is its foot.
+constexpr float kInsideWall = 1e-3f;
 constexpr int kSmoothings = 2;
 /// How many standard errors the neighbours may contradict what was gathered and be believed whole; twice as
 /// many, and they are not believed at all.
@@ -200,11 +202,22 @@ void IrradianceRecords::forEachLitNear(const glm::vec3& position, const glm::vec
       for (const Places& places : found[i]) {
         const Places::Lanes weights = places.weights(position, normal);
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          if (weights[lane] > 0.0f && !visit(places.at(lane), weights[lane])) return;
+          if (!(weights[lane] > 0.0f) || isBehindWall(places.record[lane], position)) continue;
+          if (!visit(places.at(lane), weights[lane])) return;
         }
       }
     }
   }
+}
+
+bool IrradianceRecords::isBehindWall(std::uint32_t record, const glm::vec3& position) const {
+  const std::span<const RecordWall> walls = wallsOf(record);
+  if (walls.empty()) return false;
+  const RecordPlace& place = places_[record];
+  const glm::vec3 offset = position - place.position;
+  return std::any_of(walls.begin(), walls.end(), [&](const RecordWall& wall) {
+    return glm::dot(offset, wall.normal) < wall.offset - kInsideWall * place.reach;
+  });
 }
 
 SurfaceLight IrradianceRecords::lightOf(std::uint32_t record) const {
@@ -230,7 +243,7 @@ IrradianceRecords::Coverage IrradianceRecords::coverage(const glm::vec3& positio
   forEachNear(position, [&](std::uint32_t record) {
     const RecordPlace& place = places_[record];
     const float weight = weightOf(place, position, normal);
-    if (!(weight > 0.0f)) return;
+    if (!(weight > 0.0f) || isBehindWall(record, position)) return;
     const bool lit = record < known_.size();
     result.finestReach = std::min(result.finestReach, place.reach);
     result.covered = result.covered || weight > 1.0f - kCovered;
@@ -251,9 +264,11 @@ float IrradianceRecords::clampedReach(const glm::vec3& position, float reach, fl
   return reach;
 }
 
-void IrradianceRecords::place(const RecordPlace& place) {
+void IrradianceRecords::place(const RecordPlace& place, std::span<const RecordWall> walls) {
   const auto record = static_cast<std::uint32_t>(places_.size());
   places_.push_back(place);
+  walls_.insert(walls_.end(), walls.begin(), walls.end());
+  firstWall_.push_back(static_cast<std::uint32_t>(walls_.size()));
   const int level = static_cast<int>(std::ceil(std::log2(place.reach)));
   const auto at = std::lower_bound(levels_.begin(), levels_.end(), level);
   if (at == levels_.end() || *at != level) levels_.insert(at, level);

@@ -32,6 +32,13 @@ struct RecordPlace {
   float reach = 0.0f;      ///< > 0: the record says nothing farther away than this
 };
 
+/// The plane of a wall that stands on the surface of a record, within its reach: what lies behind it, the
+/// record does not know.
+struct RecordWall {
+  glm::vec3 normal{0.0f};  ///< unit, on the record's side
+  float offset = 0.0f;     ///< < 0: (place - record) . normal on the wall
+};
+
 /// Light on a surface element.
 struct SurfaceLight {
   /// Radiance of a white matt surface under it: irradiance / pi.
@@ -68,9 +75,12 @@ class IrradianceRecords {
   /// distance.
   [[nodiscard]] float clampedReach(const glm::vec3& position, float reach, float slope) const;
 
-  void place(const RecordPlace& place);
+  void place(const RecordPlace& place, std::span<const RecordWall> walls = {});
   /// In the order of placing.
   [[nodiscard]] const std::vector<RecordPlace>& places() const { return places_; }
+  [[nodiscard]] std::span<const RecordWall> wallsOf(std::size_t record) const {
+    return std::span(walls_).subspan(firstWall_[record], firstWall_[record + 1] - firstWall_[record]);
+  }
 
   /// What becomes of noise that a record's neighbours do not share. Where many paths bring the light of many
   /// records together, it averages out by itself, and must be left in: a record that is by chance too bright
@@ -142,6 +152,8 @@ class IrradianceRecords {
     std::uint32_t begin = 0, end = 0;  ///< of filed_; empty: end of a search
   };
 
+  /// Whether a wall of the record stands before the place.
+  [[nodiscard]] bool isBehindWall(std::uint32_t record, const glm::vec3& position) const;
   static Cell cellOf(int level, const glm::vec3& position);
   template <class Visit>
   void forEachNear(const glm::vec3& position, const Visit& visit) const;
@@ -160,6 +172,8 @@ class IrradianceRecords {
   void fileLit();
 
   std::vector<RecordPlace> places_;
+  std::vector<RecordWall> walls_;
+  std::vector<std::uint32_t> firstWall_ = {0};  // of each record, and one more
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
   std::vector<int> levels_;  // in use, sorted
 

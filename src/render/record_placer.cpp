@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "src/core/display.h"
 #include "src/render/path_tracer_internal.h"
@@ -35,7 +36,7 @@ void addCandidates(const PathTracer& tracer, Ray ray, float width, float spread,
     const BsdfAlbedo albedo = bsdfAlbedo(look.bsdf, std::max(1e-3f, -glm::dot(look.normal, ray.direction)));
     if (!look.unlit && look.alpha > 0.0f &&
         (largest(albedo.diffuse) > kLeastDiffuse || isBroadToTheEye(look.bsdf))) {
-      candidates.push_back({point.position, facing, width});
+      candidates.push_back({point.position, facing, -ray.direction, width});
     }
     const bool passes = look.alpha < 1.0f || (look.bsdf.thinWalled && look.bsdf.transmission > 0.5f);
     const bool mirrors = look.bsdf.roughness < kMirrorRoughness || look.bsdf.clearcoat > 0.0f;
@@ -86,6 +87,46 @@ float harmonicMeanDistance(const PathTracer& tracer, const RecordCandidate& plac
     }
   }
   return inverse > 0.0f ? static_cast<float>(kProbes) / inverse : std::numeric_limits<float>::infinity();
+}
+
+/// Rays along the surface that look for walls, and how far before it, in reaches.
+constexpr int kWallRays = EmbreeScene::kPacket;
+constexpr float kBeforeSurface = 0.05f;
+/// What turns less from a record's surface is that surface itself, as in a vault: cosine.
+constexpr float kSameSurface = 0.7f;
+
+/// Nearer to a wall, in reaches, no record is placed: half of what it sees is the wall's inside.
+constexpr float kLeastFromWall = 0.02f;
+
+/// What stands on the surface within reach. A floor goes on under thin walls, and what is known of it on one
+/// side of them is wrong on the other. Nothing if the place is in the foot of a wall.
+std::optional<std::vector<RecordWall>> wallsAround(const PathTracer& tracer, const RecordCandidate& place,
+                                                   float reach) {
+  const Basis basis(place.normal);
+  std::array<Ray, EmbreeScene::kPacket> rays;
+  for (int i = 0; i < kWallRays; ++i) {
+    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kWallRays;
+    Ray& ray = rays[static_cast<std::size_t>(i)];
+    ray.origin = offsetRayOrigin(place.position + kBeforeSurface * reach * place.towardViewer, place.normal);
+    ray.direction = std::cos(angle) * basis.x + std::sin(angle) * basis.y;
+    ray.farthest = reach;
+  }
+  const auto found = tracer.embree().intersect(rays, kWallRays);
+  std::vector<RecordWall> walls;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit& hit = found.hits[i];
+    if (!hit.found()) continue;
+    const SurfacePoint point = tracer.surfaces().pointAt(hit, rays[i].direction);
+    const glm::vec3 facing = point.frontFace ? point.geometricNormal : -point.geometricNormal;
+    if (glm::dot(facing, place.normal) > kSameSurface) continue;
+    const float offset = glm::dot(point.position - place.position, facing);
+    const bool isKnown = std::any_of(walls.begin(), walls.end(), [&](const RecordWall& wall) {
+      return glm::dot(wall.normal, facing) > 0.99f && std::abs(wall.offset - offset) < 0.05f * reach;
+    });
+    if (offset > -kLeastFromWall * reach) return std::nullopt;
+    if (!isKnown) walls.push_back({facing, offset});
+  }
+  return walls;
 }
 
 constexpr std::uint32_t kRaysPerBounce = 16;
@@ -152,7 +193,9 @@ void RecordPlacer::place(std::size_t count, const Find& find) {
       if (!most) continue;
       const float surroundings = spacing_.reachOfSurroundings * harmonicMeanDistance(tracer_, c);
       const float least = std::min(spacing_.leastReachPixels * c.pixelWidth, *most);
-      open[i].push_back({c, std::clamp(surroundings, least, *most)});
+      const float reach = std::clamp(surroundings, least, *most);
+      std::optional<std::vector<RecordWall>> walls = wallsAround(tracer_, c, reach);
+      if (walls) open[i].push_back({c, reach, std::move(*walls)});
     }
   });
   for (const auto& group : open) {
@@ -163,7 +206,7 @@ void RecordPlacer::place(std::size_t count, const Find& find) {
       const float least = std::min(spacing_.leastReachPixels * o.place.pixelWidth, *most);
       const float reach =
           records_.clampedReach(o.place.position, std::min(o.mostReach, *most), spacing_.reachOfSurroundings);
-      records_.place({o.place.position, o.place.normal, std::max(least, reach)});
+      records_.place({o.place.position, o.place.normal, std::max(least, reach)}, o.walls);
     }
   }
 }

@@ -19,7 +19,8 @@ namespace promenade::render {
 struct RecordCandidate {
   glm::vec3 position{0.0f};
   glm::vec3 normal{0.0f};
-  float pixelWidth = 0.0f;  ///< of a display pixel there
+  glm::vec3 towardViewer{0.0f};  ///< unit
+  float pixelWidth = 0.0f;       ///< of a display pixel there
 };
 
 /// Places the records of one spacing. All that it is given must outlive it.
@@ -39,6 +40,7 @@ class RecordPlacer {
   struct Open {
     RecordCandidate place;
     float mostReach;
+    std::vector<RecordWall> walls;
   };
 
   /// Farthest that a new record at a place may reach; nothing if what is known there is good enough.

@@ -75,7 +75,7 @@ class Reader {
   bool good_ = true;
 };
 
-constexpr std::size_t kRecordBytes = 14 * sizeof(float);
+constexpr std::size_t kRecordBytes = 14 * sizeof(float) + sizeof(std::uint32_t);  // without its walls
 constexpr std::size_t kFieldBytes = LightField::kCells * sizeof(std::uint32_t);
 
 void addRecords(Writer& out, const IrradianceRecords& records) {
@@ -90,6 +90,12 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     out.add(light.radiance);
     out.add(light.meanDirection);
     out.add(light.error);
+    const std::span<const RecordWall> walls = records.wallsOf(i);
+    out.add(static_cast<std::uint32_t>(walls.size()));
+    for (const RecordWall& wall : walls) {
+      out.add(wall.normal);
+      out.add(wall.offset);
+    }
     if (records.fields().empty()) continue;
     for (const std::uint32_t cell : records.fields()[i].packed()) out.add(cell);
   }
@@ -115,11 +121,19 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     light.radiance = in.getVector();
     light.meanDirection = in.getVector();
     light.error = in.get<float>();
+    const auto wallCount = in.get<std::uint32_t>();
+    if (wallCount > in.left() / (4 * sizeof(float))) return std::nullopt;
+    std::vector<RecordWall> walls(wallCount);
+    for (RecordWall& wall : walls) {
+      wall.normal = in.getVector();
+      wall.offset = in.get<float>();
+      if (!isFinite(wall.normal) || !std::isfinite(wall.offset)) return std::nullopt;
+    }
     if (!isFinite(place.position) || !isFinite(place.normal) || !isFinite(light.radiance) ||
         !isFinite(light.meanDirection) || !(place.reach > 0.0f) || !std::isfinite(place.reach)) {
       return std::nullopt;
     }
-    records.place(place);
+    records.place(place, walls);
     lights.push_back(light);
     if (!hasFields) continue;
     for (std::uint32_t& cell : fields[i].packed()) cell = in.get<std::uint32_t>();

@@ -170,6 +170,19 @@ TEST(IrradianceRecords, AreLeftOutWhereTheyReachTooFar) {
   EXPECT_FALSE(records.roughlyAt({-0.1f, 0, 0}, kUp, 0.4f).has_value());
 }
 
+TEST(IrradianceRecords, SayNothingOfWhatLiesBehindTheirWalls) {
+  IrradianceRecords records;
+  const RecordWall wall{{-1, 0, 0}, -0.25f};  // at x = 0.25
+  records.place({{0, 0, 0}, kUp, 1.0f}, std::span(&wall, 1));
+  records.setLight({lightOf(2.0f)});
+  EXPECT_TRUE(records.at({0.25f, 0, 0.3f}, kUp).has_value());
+  EXPECT_FALSE(records.at({0.27f, 0, 0.3f}, kUp).has_value());
+  EXPECT_FALSE(records.roughlyAt({0.27f, 0, 0}, kUp).has_value());
+  EXPECT_TRUE(records.coverage({0.2f, 0, 0}, kUp).covered);
+  EXPECT_FALSE(records.coverage({0.3f, 0, 0}, kUp).covered);
+  EXPECT_TRUE(records.at({-0.9f, 0, 0}, kUp).has_value());
+}
+
 TEST(IrradianceRecords, KeepWhatStandsOutOfTheNoise) {
   const IrradianceRecords records =
       floorRecords([](int x, int z) { return x == 0 && z == 0 ? 9.0f : 5.0f; }, 0.3f);
@@ -380,6 +393,24 @@ Scene ballScene() {
 }
 const std::array<Camera, 2> kSides = {tests::lookingAt({0.0, 1.0, 3.0}, {0, 0.3, 0}, {32, 24}, 0.7),
                                       tests::lookingAt({0.0, 1.0, -3.0}, {0, 0.3, 0}, {32, 24}, 0.7)};
+
+// A closed box without a floor of its own stands on one that goes on under its walls into daylight.
+TEST(LightSolution, LeaksNothingUnderWallsWithoutThickness) {
+  Scene scene = floorScene(tests::diffuseMaterial(Rgb(0.7f)));
+  tests::place(scene, tests::quad({0, 0, 2}, {0, 2, 0}, {0, 0, -4}, 0));
+  tests::place(scene, tests::quad({4, 0, 2}, {0, 2, 0}, {0, 0, -4}, 0));
+  tests::place(scene, tests::quad({0, 0, 2}, {4, 0, 0}, {0, 2, 0}, 0));
+  tests::place(scene, tests::quad({0, 0, -2}, {4, 0, 0}, {0, 2, 0}, 0));
+  tests::place(scene, tests::quad({0, 2, 2}, {4, 0, 0}, {0, 0, -4}, 0));
+  scene.environment = tests::uniformSky(Rgb(1.0f));
+  const std::array cameras = {tests::lookingAt({-2, 1.5, 0}, {0, 0, 0}, {64, 48}, 0.9),
+                              tests::lookingAt({2, 1.5, 0}, {0, 0, 0}, {64, 48}, 0.9)};
+  PathSettings settings = fewPaths();
+  settings.solution = solveLight(scene, settings, cameras, nullptr, {});
+  const auto renderer = makePathRenderer(scene, settings);
+  EXPECT_GT(tests::meanRadiance(renderer->render(cameras[0], 0)).y, 0.2);
+  EXPECT_LT(tests::meanRadiance(renderer->render(cameras[1], 0)).y, 1e-4);
+}
 
 TEST(LightSolution, ComesBackFromItsBytesAsItWas) {
   const Scene scene = ballScene();
