@@ -28,9 +28,9 @@ constexpr int kCoarsePasses = 2;
 constexpr std::array kNoisyPasses = {0.25, 0.25, 0.5, 1.0};
 /// The passes before which bright surfaces are looked for: they need only be roughly known.
 constexpr std::size_t kBrightPasses = 2;
-/// A coarse record sends light on to what is at least its reach away, over this. Measured in a white room: 4,
-/// 2 and 1 take out nearly the same error, and cost more and more paths that go on.
-constexpr float kMostReachOfDistance = 2.0f;
+/// A coarse record sends light on only to what is at least its reach away, over this. Measured in a white
+/// room: 4, 2 and 1 take out nearly the same error, and the paths that go on are dearer and dearer.
+constexpr float kMostReachOfDistance = 4.0f;
 /// Of coarse records, on the sky and on lamps each.
 constexpr int kPointsPerPath = 4;
 

@@ -50,7 +50,7 @@ struct SolutionSettings {
   int coarsePaths = 128;  ///< per record, until it is known how noisy they are
   /// ... in the last pass, unless they are noisy. What all have too much or too little of moves the whole
   /// picture.
-  int lastCoarsePaths = 512;
+  int lastCoarsePaths = 256;
   /// Where the standard error of the coarse records (of coarsePaths) is more than this share of their light
   /// on average, bright surfaces are looked for and sampled as lights (bright_surfaces.h): a room lit by way
   /// of a patch of sun has 0.13, a hall under windows 0.05 and nothing to gain.

@@ -268,18 +268,18 @@ TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
 }
 
 TEST(PathTracer, GathersFromCoarseRecordsOnlyWhatIsFarForTheirReach) {
-  // A record that says 1 within 4 m around the foot of a place 1 m above a floor without light: it counts
-  // from 2 m on, that is where the cosine is under 1/2, and ends where it is 1 / sqrt(17). Shares of the
+  // A record that says 1 within 8 m around the foot of a place 1 m above a floor without light: it counts
+  // from 2 m on, that is where the cosine is under 1/2, and ends where it is 1 / sqrt(65). Shares of the
   // light go by its square.
   Scene scene;
   scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
   tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
   PathTracer tracer(scene, PathSettings{});
   LightSolution solution;
-  solution.coarse.place({{0, 0, 0}, kUp, 4.0f});
+  solution.coarse.place({{0, 0, 0}, kUp, 8.0f});
   solution.coarse.setLight({lightOf(1.0f)});
   tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
-  EXPECT_NEAR(tests::gatherOften(tracer, {0, 1, 0}, -kUp, 64).mean, 0.5 * (1.0 / 4.0 - 1.0 / 17.0), 0.003);
+  EXPECT_NEAR(tests::gatherOften(tracer, {0, 1, 0}, -kUp, 64).mean, 0.5 * (1.0 / 4.0 - 1.0 / 65.0), 0.003);
 }
 
 TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {
