@@ -3,9 +3,9 @@
 // for the whole walk. Interpolation: irradiance_records.h.
 //
 // 1. Coarse records cover what the cameras see and what light bounces off on its way there. Their light is
-//    gathered by path tracing with few paths, then again with paths that end at the first surface the
-//    last result knows and is far enough: the errors of single records average out over the hemisphere. They
-//    serve for bounces only.
+//    gathered by path tracing with few paths, then again, with paths that end at the first surface that the
+//    last result knows and that is far enough away: the errors of single records average out over the
+//    hemisphere. They serve for bounces only.
 // 2. Fine records for what the cameras see are gathered with paths that end at the coarse ones (final
 //    gathering), level by level: each level half as far apart, where nothing reaches, or where the light
 //    that the records around a place say is there differs by more than a viewer should see.
