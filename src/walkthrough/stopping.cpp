@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <glm/common.hpp>
 #include <numbers>
 #include <utility>
 
+#include "src/core/resolve.h"
 #include "src/walkthrough/seen.h"
 
 namespace promenade::walkthrough {
@@ -49,6 +52,49 @@ class Tiles {
   int supersample_;
 };
 
+bool isAnySet(const Mask& mask) {
+  return std::any_of(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; });
+}
+
+void copySelected(const RadianceMap& from, const Mask& selected, RadianceMap& to) {
+  for (std::size_t i = 0; i < selected.pixels().size(); ++i) {
+    if (selected.pixels()[i] != 0) to.pixels()[i] = from.pixels()[i];
+  }
+}
+
+/// Fewer prove nothing of what lies between them.
+constexpr int kLeastNoisy = 4;
+
+/// Samples that are not traced here, beside `noisy` ones of their item that are, will be interpolated between
+/// these (retrace_items.h) or are warped from frames with such noise: they get what is interpolated of it by
+/// a tent that reaches so many samples to each side.
+void spreadNoise(const Mask& traced, const Mask& noisy, const ItemBuffer& item, int reach,
+                 const RadianceMap& all, RadianceMap& half) {
+  RadianceMap sum(noisy.size(), Rgb(0.0f));
+  Image<float> shares(noisy.size());
+  Image<int> count(noisy.size());
+  for (int y = 0; y < noisy.height(); ++y) {
+    for (int x = 0; x < noisy.width(); ++x) {
+      if (noisy(x, y) == 0) continue;
+      const Rgb noise = half(x, y) - all(x, y);
+      for (int j = std::max(y - reach, 0); j <= std::min(y + reach, noisy.height() - 1); ++j) {
+        for (int i = std::max(x - reach, 0); i <= std::min(x + reach, noisy.width() - 1); ++i) {
+          if (traced(i, j) != 0 || item(i, j) != item(x, y)) continue;
+          const auto share = static_cast<float>((reach - std::abs(i - x)) * (reach - std::abs(j - y)));
+          sum(i, j) += share * noise;
+          shares(i, j) += share;
+          ++count(i, j);
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < sum.pixels().size(); ++i) {
+    const float share = shares.pixels()[i];
+    if (count.pixels()[i] < kLeastNoisy || share == 0.0f) continue;
+    half.pixels()[i] = glm::max(all.pixels()[i] + sum.pixels()[i] / share, Rgb(0.0f));
+  }
+}
+
 }  // namespace
 
 bool isPredictedVisible(float pooledJnd) {
@@ -77,44 +123,43 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
     spent.paths += refined.paths;
     return std::move(refined.open);
   };
-  const auto isAnyOpen = [](const Mask& open) {
-    return std::any_of(open.pixels().begin(), open.pixels().end(), [](std::uint8_t v) { return v != 0; });
-  };
 
   Mask open = trace(mask, {0, rule.firstPaths});
   spent.mostPaths = rule.firstPaths;
-  if (!isAnyOpen(open)) return spent;
+  if (!isAnySet(open)) return spent;
   // One for all that is compared here; the means that it is made of have little noise.
   const Surroundings surroundings = surroundingsOf(frame, frameIndex, settings);
-  LuminanceMap afterHalf = seenOnDisplay(frame, frameIndex, settings, surroundings);
-  JndMap predicted(settings.size);
-  for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnyOpen(open); paths *= 2) {
+  const auto seen = [&](const RadianceMap& samples) {
+    return seenOnDisplay(resolveRadiance(samples, settings.supersample), frameIndex, settings, surroundings);
+  };
+  const Mask noisy = open.clone();
+  RadianceMap afterHalf = combinedRadiance(frame);  // of each sample's own paths
+  for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnySet(open); paths *= 2) {
+    copySelected(combinedRadiance(frame), open, afterHalf);
     Mask goOn = trace(open, {paths, paths});
     spent.mostPaths = 2 * paths;
     spent.openTiles = 0;
     const Stopwatch watch(seconds.metric);
-    LuminanceMap afterAll = seenOnDisplay(frame, frameIndex, settings, surroundings);
-    const aqm::Result difference =
-        aqm::compare(afterAll, afterHalf, VelocityMap(), aqm::Settings{settings.display.pixelsPerDegree()});
+    const RadianceMap afterAll = combinedRadiance(frame);
+    spreadNoise(mask, noisy, frame.visibility.item, 2 * settings.supersample, afterAll, afterHalf);
+    const JndMap predicted = aqm::compare(seen(afterAll), seen(afterHalf), VelocityMap(),
+                                          aqm::Settings{settings.display.pixelsPerDegree()})
+                                 .pooledJnd;
+    spent.predictedPercent = predictedPercent(predicted);
     tiles.forEach([&](int left, int top, int right, int bottom) {
-      if (!tiles.anySample(open, left, top, right, bottom)) return;  // what was predicted for it stands
+      if (!tiles.anySample(goOn, left, top, right, bottom)) return;
       int different = 0;
       for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) {
-          predicted(x, y) = difference.pooledJnd(x, y);
-          if (isPredictedVisible(predicted(x, y))) ++different;
-        }
+        for (int x = left; x < right; ++x) different += isPredictedVisible(predicted(x, y)) ? 1 : 0;
       }
       if (100.0 * different <= rule.tolerancePercent * (right - left) * (bottom - top)) {
         tiles.clearSamples(goOn, left, top, right, bottom);
-      } else if (tiles.anySample(goOn, left, top, right, bottom)) {
+      } else {
         ++spent.openTiles;
       }
     });
-    afterHalf = std::move(afterAll);
     open = std::move(goOn);
   }
-  spent.predictedPercent = predictedPercent(predicted);
   return spent;
 }
 

@@ -17,9 +17,10 @@ namespace promenade::walkthrough {
 /// Traces the samples of `frame` (settings.size times settings.supersample, with its visibility) that `mask`
 /// selects, by settings.stopping, which must be there: rule.firstPaths, then as many again, and so on, of
 /// those that stand in a tile a viewer would see a difference in. Samples that are not selected are part of
-/// the image and do not change. The image is seen at rest, which shows more than motion does. Marks the
-/// samples SampleSource::kTraced. Adds to the parts `trace` and `metric` of `seconds`. The result is the same
-/// for any number of threads.
+/// the image and do not change, but between noisy ones of their item they are judged to be as noisy as what
+/// is interpolated from these, over up to 2 display pixels. The image is seen at rest, which shows more than
+/// motion does. Marks the samples SampleSource::kTraced. Adds to the parts `trace` and `metric` of `seconds`.
+/// The result is the same for any number of threads.
 [[nodiscard]] StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frameIndex,
                                                      const Renderer& renderer, const Settings& settings,
                                                      PartSeconds& seconds);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "src/walkthrough/seen.h"
 #include "tests/walkthrough/noisy_wall.h"
 
@@ -126,6 +128,74 @@ TEST(Stopping, TracesWhatIsSelectedOnly) {
   EXPECT_EQ(t.frame.diffuse(29, 30), Rgb(0.0f));
   EXPECT_GE(wall.pathsOf(45, 30), 32);
   EXPECT_NEAR(t.frame.diffuse(45, 30).x, NoisyWall::kGrey, 0.1f);
+}
+
+/// Traces every second sample of every second row, and puts the mean of the traced ones around between them.
+Trial interpolated(const NoisyWall& wall) {
+  Trial t;
+  t.frame = unshaded(wall.visibility(Camera(Pose{}, 1.0, kStoppedSize)));
+  std::fill(t.frame.diffuse.pixels().begin(), t.frame.diffuse.pixels().end(), Rgb(NoisyWall::kGrey));
+  Mask lattice(kStoppedSize);
+  for (int y = 0; y < lattice.height(); y += 2) {
+    for (int x = 0; x < lattice.width(); x += 2) lattice(x, y) = 1;
+  }
+  PartSeconds seconds;
+  t.spent = traceUntilInvisible(t.frame, lattice, 0, wall, stoppingSettings(), seconds);
+  const RadianceMap traced = t.frame.diffuse.clone();
+  for (int y = 0; y < lattice.height(); ++y) {
+    for (int x = 0; x < lattice.width(); ++x) {
+      Rgb sum(0.0f);
+      float count = 0.0f;
+      for (int j = y - y % 2; j <= y + y % 2; j += 2) {
+        for (int i = x - x % 2; i <= x + x % 2; i += 2) {
+          if (!lattice.contains(i, j)) continue;
+          sum += traced(i, j);
+          count += 1.0f;
+        }
+      }
+      t.frame.diffuse(x, y) = sum / count;
+    }
+  }
+  return t;
+}
+
+TEST(Stopping, SparseSamplesAreAsNoisyAsWhatIsInterpolatedBetweenThem) {
+  const NoisyWall wall(
+      kStoppedSize, [](int, int) { return 0.15; }, 1);
+  const NoisyWall other(
+      kStoppedSize, [](int, int) { return 0.15; }, 2);
+  const Trial a = interpolated(wall);
+  const Trial b = interpolated(other);
+  ASSERT_EQ(a.spent.openTiles, 0);
+  EXPECT_LE(percentDifferent(a.frame, b.frame), 2.0);
+  EXPECT_GE(a.spent.mostPaths, trial(wall).spent.mostPaths);
+}
+
+TEST(Stopping, AnIsolatedSampleProvesNothingOfItsNeighbours) {
+  const NoisyWall wall(
+      kStoppedSize, [](int, int) { return 0.15; }, 1);
+  Trial t;
+  t.frame = unshaded(wall.visibility(Camera(Pose{}, 1.0, kStoppedSize)));
+  std::fill(t.frame.diffuse.pixels().begin(), t.frame.diffuse.pixels().end(), Rgb(NoisyWall::kGrey));
+  Mask mask(kStoppedSize);
+  mask(30, 30) = 1;
+  PartSeconds seconds;
+  t.spent = traceUntilInvisible(t.frame, mask, 0, wall, stoppingSettings(), seconds);
+  EXPECT_EQ(t.spent.paths, 32u);
+}
+
+TEST(Stopping, NoiseOfATileThatStoppedCountsInTheNextOne) {
+  // Around the common corner of four tiles: what is seen there is the noise of all of them.
+  const auto spot = [](int x, int y) {
+    return (x - 64) * (x - 64) + (y - 32) * (y - 32) < 12 * 12 ? 0.3 : 0.0;
+  };
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    const Trial a = trial(NoisyWall(kStoppedSize, spot, seed));
+    const Trial b = trial(NoisyWall(kStoppedSize, spot, 100 + seed));
+    ASSERT_EQ(a.spent.openTiles, 0);
+    EXPECT_LE(percentDifferent(a.frame, b.frame), 2.0);
+  }
 }
 
 }  // namespace
