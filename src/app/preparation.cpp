@@ -1,5 +1,6 @@
 #include "src/app/preparation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -95,7 +96,9 @@ Solution lightAsBefore(const LoadedJob& job, const OutputFolder& folder, const P
 // however many frames look at them.)
 float sampleWidthOf(const walkthrough::Settings& settings) {
   if (!settings.antialiasing || settings.method != walkthrough::Method::kFull) return 1.0f;
-  return 1.0f / std::sqrt(static_cast<float>(settings.antialiasing->frames()));
+  const int together =
+      std::min({settings.antialiasing->frames(), settings.frames.count(), settings.keyframeSpacing + 1});
+  return 1.0f / std::sqrt(static_cast<float>(together));
 }
 
 }  // namespace

@@ -138,11 +138,6 @@ float EnvironmentLight::densityAt(glm::vec2 uv) const {
   return bilinear(density_, uv) / (2.0f * kPi * kPi * sine);
 }
 
-float EnvironmentLight::pdf(const glm::vec3& direction) const {
-  if (uniform_) return uniformPdf();
-  return density_.empty() ? 0.0f : densityAt(imagePosition(direction));
-}
-
 float EnvironmentLight::uniformPdf() const {
   return luminance(meanRadiance_) > 0.0f ? 1.0f / (4.0f * kPi) : 0.0f;
 }

@@ -30,10 +30,9 @@ class EnvironmentLight {
   /// `direction`: unit, world space.
   [[nodiscard]] Rgb radiance(const glm::vec3& direction) const;
   [[nodiscard]] EnvironmentSample sample(glm::vec2 u) const;
-  /// As if sample() had chosen `direction`; the radiance is there where the density is 0, too.
+  /// As if sample() had chosen `direction`, a unit vector: with its density per solid angle; the radiance is
+  /// there where the density is 0, too.
   [[nodiscard]] EnvironmentSample toward(const glm::vec3& direction) const;
-  /// Density per solid angle with which sample() chooses `direction`.
-  [[nodiscard]] float pdf(const glm::vec3& direction) const;
   /// Average radiance over the sphere of directions: for choosing between lights.
   [[nodiscard]] Rgb meanRadiance() const { return meanRadiance_; }
 

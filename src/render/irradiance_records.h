@@ -84,7 +84,8 @@ class IrradianceRecords {
 
   /// What becomes of noise that a record's neighbours do not share. Where many paths bring the light of many
   /// records together, it averages out by itself, and must be left in: a record that is by chance too bright
-  /// is also less sure of itself, so that what takes noise out makes the whole too dark.
+  /// is also less sure of itself, so that what takes noise out makes the whole too dark (by 1.2 per cent in
+  /// the Cornell box).
   enum class Noise { kTakenOut, kLeftIn };
   /// Light of the first records, as many as `light` has, as it was gathered; the others are ignored until
   /// theirs is set. `fields`: the same light by direction, in units of the luminance of its radiance; or

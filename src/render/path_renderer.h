@@ -40,7 +40,7 @@ struct LightSolution;
 struct PathSettings {
   int pathsPerSample = 16;  ///< >= 1; a power of two stratifies best
   /// Scatterings along a path, >= 0; 0: emission only, 1: direct light. Light that bounces more often is
-  /// missing; most paths end much sooner, by Russian roulette. (With 8, a white room lacks 7 per cent.)
+  /// missing; most paths end much sooner, by Russian roulette. (With 8, the Cornell box lacks 7.5 per cent.)
   int maxBounces = 64;
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0 = all

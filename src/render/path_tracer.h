@@ -125,7 +125,8 @@ class PathTracer {
   /// What a vertex sends on of the point, spot and directional lights that it sees: all of them, exactly.
   [[nodiscard]] SampleRadiance fromDeltaLights(const Vertex& vertex, const ScatteringSurface& scattering,
                                                PathRays& rays) const;
-  /// `blurredOver`: distance to the scattering that blurs what lies there; nothing where it is seen sharply.
+  /// `blurredOver`: distance to the last scattering, where some scattering blurs what lies there; nothing
+  /// where it is seen sharply.
   [[nodiscard]] std::optional<SurfaceLight> lightFromSolution(const Vertex& vertex,
                                                               std::optional<float> blurredOver) const;
   // What arrives along a line of sight that ends at `hit`; what its end sends there; and by way of it, of

@@ -89,17 +89,20 @@ float harmonicMeanDistance(const PathTracer& tracer, const RecordCandidate& plac
   return inverse > 0.0f ? static_cast<float>(kProbes) / inverse : std::numeric_limits<float>::infinity();
 }
 
-/// Rays along the surface that look for walls, and how far before it, in reaches.
+/// Rays along the surface that look for walls, and how far toward the viewer they begin, in reaches: on the
+/// side of a wall from which the place is seen.
 constexpr int kWallRays = EmbreeScene::kPacket;
 constexpr float kBeforeSurface = 0.05f;
 /// What turns less from a record's surface is that surface itself, as in a vault: cosine.
 constexpr float kSameSurface = 0.7f;
 
-/// Nearer to a wall, in reaches, no record is placed: half of what it sees is the wall's inside.
+/// Nearer to a wall, in the most that a record might reach there, none is placed: half of what it sees is the
+/// wall's inside.
 constexpr float kLeastFromWall = 0.02f;
 
 /// What stands on the surface within reach. A floor goes on under thin walls, and what is known of it on one
-/// side of them is wrong on the other. Nothing if the place is in the foot of a wall.
+/// side of them is wrong on the other. (Panes are walls, too; and what stands before a part of the surface
+/// only hides all beyond its plane, which other records know.) Nothing if the place is in the foot of a wall.
 std::optional<std::vector<RecordWall>> wallsAround(const PathTracer& tracer, const RecordCandidate& place,
                                                    float reach) {
   const Basis basis(place.normal);

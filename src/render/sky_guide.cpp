@@ -216,7 +216,7 @@ std::unique_ptr<SkyGuide::View> SkyGuide::look(const CellSide& from, const View*
 EnvironmentSample SkyGuide::sample(const View& view, float choose, glm::vec2 u) const {
   if (choose >= view.share) {
     EnvironmentSample s = environment_.sample(u);
-    if (s.pdf > 0.0f) s.pdf = pdf(view, s.direction);
+    if (s.pdf > 0.0f) s.pdf = mixedPdf(view, s.direction, s.pdf);
     return s;
   }
   const float which = std::min(choose / view.share, kOneBelow);
@@ -229,10 +229,14 @@ EnvironmentSample SkyGuide::sample(const View& view, float choose, glm::vec2 u) 
 
 EnvironmentSample SkyGuide::toward(const View& view, const glm::vec3& direction) const {
   EnvironmentSample s = environment_.toward(direction);
-  if (view.share <= 0.0f) return s;
-  const float mass = massOf(view, static_cast<std::size_t>(binOf(direction)));
-  s.pdf = view.share * mass * (kBins / (4.0f * kPi)) + (1.0f - view.share) * s.pdf;
+  s.pdf = mixedPdf(view, direction, s.pdf);
   return s;
+}
+
+float SkyGuide::mixedPdf(const View& view, const glm::vec3& direction, float environmentPdf) {
+  if (view.share <= 0.0f) return environmentPdf;
+  const float mass = massOf(view, static_cast<std::size_t>(binOf(direction)));
+  return view.share * mass * (kBins / (4.0f * kPi)) + (1.0f - view.share) * environmentPdf;
 }
 
 }  // namespace promenade::render

@@ -48,11 +48,7 @@ class SkyGuide {
   [[nodiscard]] const View& viewFrom(const glm::vec3& position, const glm::vec3& normal) const;
 
   [[nodiscard]] EnvironmentSample sample(const View& view, float choose, glm::vec2 u) const;
-  /// Density per solid angle with which sample() chooses the unit vector `direction`.
-  [[nodiscard]] float pdf(const View& view, const glm::vec3& direction) const {
-    return toward(view, direction).pdf;
-  }
-  /// As if sample() had chosen `direction`.
+  /// As if sample() had chosen the unit vector `direction`.
   [[nodiscard]] EnvironmentSample toward(const View& view, const glm::vec3& direction) const;
 
  private:
@@ -63,6 +59,9 @@ class SkyGuide {
   };
 
   void fillBins();
+  /// Density per solid angle with which sample() chooses the unit vector `direction`, which the environment
+  /// by itself does with `environmentPdf`.
+  [[nodiscard]] static float mixedPdf(const View& view, const glm::vec3& direction, float environmentPdf);
   /// `around`: what is seen from a larger cell; null: nothing is known.
   [[nodiscard]] std::unique_ptr<View> look(const CellSide& from, const View* around) const;
 

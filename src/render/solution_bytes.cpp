@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
 /// Changes with the layout and with what decides the light.
-constexpr std::string_view kSignature = "PromenadeLight7\n";
+constexpr std::string_view kSignature = "PromenadeLight8\n";
 
 std::uint64_t checksum(std::string_view bytes) {
   return fnv1a(std::as_bytes(std::span(bytes)));
@@ -127,7 +127,7 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
     for (RecordWall& wall : walls) {
       wall.normal = in.getVector();
       wall.offset = in.get<float>();
-      if (!isFinite(wall.normal) || !std::isfinite(wall.offset)) return std::nullopt;
+      if (!isFinite(wall.normal) || !std::isfinite(wall.offset) || wall.offset >= 0.0f) return std::nullopt;
     }
     if (!isFinite(place.position) || !isFinite(place.normal) || !isFinite(light.radiance) ||
         !isFinite(light.meanDirection) || !(place.reach > 0.0f) || !std::isfinite(place.reach)) {

@@ -136,7 +136,7 @@ class Bench:
         times = self.folder / "cycles.json"
         job = {"scene": os.path.abspath(self.scene), "thin": thin_materials(self.scene),
                "matt": matt_materials(self.scene), "sky": self.sky, "size": self.o.size,
-               "threads": self.o.threads, "bounces": 64, "times": os.path.abspath(times),
+               "threads": self.o.threads, "bounces": 64, "times": os.path.abspath(times),  # bounces: PathSettings::maxBounces
                "images": [{"name": name, "samples": samples, "seed": seed, "output": os.path.abspath(self.cycles_image(name))}
                           for name, (samples, seed) in images.items()],
                **camera_of(self.promenade_image("path-start-0"))}

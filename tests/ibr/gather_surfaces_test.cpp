@@ -187,9 +187,8 @@ TEST(GatherWarp, DoesNotTearSurfacesSeenAtAGrazingAngle) {
 
 TEST(GatherWarp, IsWaryOfLoneSamplesAtAGrazingAngleWhereItIsAskedTo) {
   // The side of a board, from 4.1 to 4.8 m away and 0.5 m to the right: with a focal length of 60 from pixel
-  // 40
-  // + 60 x 0.5 / 4.8 = 46.25 to 47.32, one sample wide, at the cosine 6.5 / 60 = 0.11. A second board shows
-  // its side at 0.5 / 1.0: 60 x 1 / 2.4 to 60 x 1 / 1.8 pixels, eight of them, at cosines above 0.38.
+  // 40 + 60 x 0.5 / 4.8 = 46.25 to 47.32, one sample wide, at the cosine 6.5 / 60 = 0.11. A second board
+  // shows its side at 0.5 / 1.0: 60 x 1 / 2.4 to 60 x 1 / 1.8 pixels, eight of them, at cosines above 0.38.
   const AnalyticScene scene =
       AnalyticScene()
           .add(1, rectangle({0.5, -2, -4.1}, {0, 0, -0.7}, {0, 4, 0}), uniform(Rgb(1)))

@@ -63,7 +63,7 @@ TEST(EnvironmentLight, KnowsTheSampleOfADirection) {
       const EnvironmentSample s = light->toward(direction);
       EXPECT_EQ(s.direction, direction);
       EXPECT_EQ(s.radiance, light->radiance(direction));
-      EXPECT_EQ(s.pdf, light->pdf(direction));
+      EXPECT_EQ(s.pdf, light->toward(direction).pdf);
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(EnvironmentLight, TurnsAboutTheVerticalAxisByTheRightHand) {
 TEST(EnvironmentLight, HasADensityThatIntegratesToOne) {
   for (const Size size : {Size{1, 1}, Size{2, 1}, Size{1, 3}, Size{3, 1}, Size{7, 5}, Size{64, 33}}) {
     const EnvironmentLight light(noise(size));
-    const double integral = integrate([&](const glm::vec3& d) { return light.pdf(d); });
+    const double integral = integrate([&](const glm::vec3& d) { return light.toward(d).pdf; });
     EXPECT_NEAR(integral, 1.0, 2e-3) << size.width << " x " << size.height;
   }
 }
@@ -110,7 +110,7 @@ TEST(EnvironmentLight, SamplesWithTheDensityAndRadianceItStates) {
       const EnvironmentSample s = light.sample(pointOf(i));
       ASSERT_NEAR(glm::length(s.direction), 1.0f, 1e-5f);
       if (std::abs(s.direction.y) > 0.999f) continue;  // acos has no digits left at the poles
-      EXPECT_NEAR(light.pdf(s.direction) / s.pdf, 1.0f, 2e-3f);
+      EXPECT_NEAR(light.toward(s.direction).pdf / s.pdf, 1.0f, 2e-3f);
       EXPECT_NEAR(light.radiance(s.direction).g, s.radiance.g, 2e-3f * (1.0f + s.radiance.g));
     }
   }
@@ -128,7 +128,7 @@ TEST(EnvironmentLight, PutsSamplesWhereTheDensityIs) {
     share[octant(light.sample(pointOf(i)).direction)] += 1.0 / kCount;
   for (std::size_t o = 0; o < 8; ++o) {
     const double expected =
-        integrate([&](const glm::vec3& d) { return octant(d) == o ? light.pdf(d) : 0.0; }, 300);
+        integrate([&](const glm::vec3& d) { return octant(d) == o ? light.toward(d).pdf : 0.0; }, 300);
     EXPECT_NEAR(share[o], expected, 3e-3) << "octant " << o;
   }
 }
@@ -211,7 +211,7 @@ TEST(EnvironmentLight, HasNothingToSampleInTheDark) {
   for (const Size size : {Size{1, 1}, Size{5, 3}}) {
     const EnvironmentLight light(environmentOf(size, [](int, int) { return Rgb(0.0f); }));
     EXPECT_EQ(light.sample({0.3f, 0.8f}).pdf, 0.0f);
-    EXPECT_EQ(light.pdf({0, 1, 0}), 0.0f);
+    EXPECT_EQ(light.toward({0, 1, 0}).pdf, 0.0f);
     EXPECT_EQ(light.radiance({0, 1, 0}), Rgb(0.0f));
   }
 }

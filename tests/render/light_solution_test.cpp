@@ -6,10 +6,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <optional>
 #include <random>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "src/core/fnv1a.h"
 #include "src/render/irradiance_records.h"
 #include "src/render/irradiance_solution.h"
 #include "src/render/path_renderer.h"
@@ -409,6 +414,15 @@ TEST(LightSolution, LeaksNothingUnderWallsWithoutThickness) {
   settings.solution = solveLight(scene, settings, cameras, nullptr, {});
   const auto renderer = makePathRenderer(scene, settings);
   EXPECT_GT(tests::meanRadiance(renderer->render(cameras[0], 0)).y, 0.2);
+  std::size_t walls = 0;
+  for (std::size_t i = 0; i < settings.solution->fine.places().size(); ++i) {
+    walls += settings.solution->fine.wallsOf(i).size();
+  }
+  EXPECT_GT(walls, 10u);
+  const std::string bytes = toBytes(*settings.solution, "box");
+  const auto again = lightSolutionFrom(bytes, "box");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(toBytes(*again, "box"), bytes);
   EXPECT_LT(tests::meanRadiance(renderer->render(cameras[1], 0)).y, 1e-4);
 }
 
@@ -435,7 +449,7 @@ TEST(LightSolution, RefusesOtherAndDamagedBytes) {
   const std::string bytes = toBytes(*solution, "ball");
   EXPECT_FALSE(lightSolutionFrom(bytes, "another ball"));
   EXPECT_FALSE(lightSolutionFrom("", "ball"));
-  EXPECT_FALSE(lightSolutionFrom("PromenadeLight6\n", "ball"));
+  EXPECT_FALSE(lightSolutionFrom("PromenadeLight8\n", "ball"));
   for (const std::size_t length : {bytes.size() - 1, bytes.size() / 2, std::size_t{30}}) {
     EXPECT_FALSE(lightSolutionFrom(bytes.substr(0, length), "ball")) << length;
   }
@@ -444,6 +458,34 @@ TEST(LightSolution, RefusesOtherAndDamagedBytes) {
     damaged[i] = static_cast<char>(damaged[i] ^ 0x40);
     EXPECT_FALSE(lightSolutionFrom(damaged, "ball")) << i;
   }
+}
+
+// Whose checksum is right, and whose contents are not.
+TEST(LightSolution, RefusesContentsThatCannotBe) {
+  LightSolution solution;
+  const RecordWall wall{{-1, 0, 0}, -0.25f};
+  solution.coarse.place({{0, 0, 0}, kUp, 1.0f}, std::span(&wall, 1));
+  solution.coarse.setLight({lightOf(2.0f)}, {}, IrradianceRecords::Noise::kLeftIn);
+  const std::string bytes = toBytes(solution, "box");
+  // Signature, key with its length, number of cameras; then of coarse records, and whether they have
+  // directions.
+  constexpr std::size_t kCount = 16 + 8 + 3 + 8;
+  constexpr std::size_t kRecord = kCount + 8 + 4;
+  constexpr std::size_t kWalls = kRecord + 14 * sizeof(float);
+  const auto with = [&bytes](std::size_t at, const auto& value) {
+    std::string changed = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
+    std::memcpy(changed.data() + at, &value, sizeof(value));
+    const std::uint64_t checksum = fnv1a(std::as_bytes(std::span(changed)));
+    changed.append(reinterpret_cast<const char*>(&checksum), sizeof(checksum));
+    return changed;
+  };
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  ASSERT_TRUE(lightSolutionFrom(with(kWalls, std::uint32_t{1}), "box"));
+  EXPECT_FALSE(lightSolutionFrom(with(kCount, std::uint64_t{1} << 60), "box"));
+  EXPECT_FALSE(lightSolutionFrom(with(kRecord, kNaN), "box"));
+  EXPECT_FALSE(lightSolutionFrom(with(kWalls, std::uint32_t{0xffffffff}), "box"));
+  EXPECT_FALSE(lightSolutionFrom(with(kWalls + 4, kNaN), "box"));
+  EXPECT_FALSE(lightSolutionFrom(with(kWalls + 4 + 12, 0.25f), "box"));  // on the wrong side
 }
 
 TEST(LightSolution, IsExtendedOnlyForNewCameras) {

@@ -46,11 +46,11 @@ TEST(SkyGuide, DensityIsThatOfTheSamplesAndSumsToOne) {
   for (int i = 0; i < kCount; ++i) {
     const EnvironmentSample s = guide.sample(view, unit(random), {unit(random), unit(random)});
     ASSERT_NEAR(glm::length(s.direction), 1.0f, 1e-5f);
-    ASSERT_NEAR(s.pdf, guide.pdf(view, s.direction), 1e-6f * s.pdf);
+    ASSERT_NEAR(s.pdf, guide.toward(view, s.direction).pdf, 1e-6f * s.pdf);
     inverse += 1.0 / s.pdf;
     const float height = 2.0f * unit(random) - 1.0f, turn = 6.2831853f * unit(random);
     const float radius = std::sqrt(1.0f - height * height);
-    total += guide.pdf(view, {radius * std::cos(turn), height, radius * std::sin(turn)});
+    total += guide.toward(view, {radius * std::cos(turn), height, radius * std::sin(turn)}).pdf;
   }
   EXPECT_NEAR(inverse / kCount, 4.0 * tests::kPi, 0.15);
   EXPECT_NEAR(total / kCount * 4.0 * tests::kPi, 1.0, 0.03);
@@ -90,7 +90,7 @@ TEST(SkyGuide, KeepsToTheEnvironmentWhereNoSkyIsSeen) {
   const SkyGuide::View& view = guide.viewFrom({5.0f, 2.0f, 5.0f}, {0.0f, 1.0f, 0.0f});
   EXPECT_EQ(view.share, 0.0f);
   const glm::vec3 up(0.0f, 1.0f, 0.0f);
-  EXPECT_EQ(guide.pdf(view, up), environment.pdf(up));
+  EXPECT_EQ(guide.toward(view, up).pdf, environment.toward(up).pdf);
 }
 
 TEST(SkyGuide, SeesASmallWindowFromDeepInTheRoom) {
@@ -112,7 +112,7 @@ TEST(SkyGuide, SeesASmallWindowFromDeepInTheRoom) {
       const glm::vec3 position(1.0f, y, z);
       const glm::vec3 toward = glm::normalize(glm::vec3(10.0f, 5.0f, 5.0f) - position);
       const SkyGuide::View& view = guide.viewFrom(position, {1.0f, 0.0f, 0.0f});
-      found += guide.pdf(view, toward) > 2.0f * environment.pdf(toward) ? 1 : 0;
+      found += guide.toward(view, toward).pdf > 2.0f * environment.toward(toward).pdf ? 1 : 0;
       ++asked;
     }
   }
