@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders the built-in exhibition hall to a video and a report: installs packages, builds, makes the scene, walks through it.
-# Takes about 12 minutes on two idle cores (docs/results.md). Run again, it goes on where it was stopped.
+# Takes about 14 minutes on two idle cores (docs/results.md). Run again, it goes on where it was stopped.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
