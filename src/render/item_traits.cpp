@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 
+#include "src/render/traced_noise.h"
+
 namespace promenade::render {
 namespace {
 
@@ -13,13 +15,11 @@ constexpr float kSmoothDielectric = 0.35f;
 constexpr float kLeastClearcoat = 0.05f;
 constexpr float kSmoothClearcoat = 0.5f;
 constexpr double kSomewhere = 0.02;
-/// Strong reflections are traced with up to twice that, but for narrow ones (path_solution.cpp). Where a
+/// Strong reflections are traced with up to twice that (kStrongNoise), but for narrow ones. Where a
 /// curved piece of metal shows more structure than noise, allowing for all of it would smooth it away
 /// visibly.
 constexpr float kTakenForNoise = 0.05f;
-constexpr float kTakenForNoiseWhereFlat = 0.1f;
-constexpr float kNarrowLobe = 0.1f;  ///< below this roughness
-constexpr float kClear = 0.03f;      ///< below this roughness structure is as fine as a sample
+constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample
 
 /// Values of a channel below and above which 2% of the texels lie, in [0, 1].
 struct Range {
@@ -101,9 +101,9 @@ std::vector<ItemTraits> itemTraits(const Scene& scene) {
   materials.reserve(scene.materials.size());
   for (const Material& material : scene.materials) {
     const float noise = noiseOf(material);
-    const bool isBroad = material.roughness >= kNarrowLobe && material.clearcoat <= 0.0f;
-    materials.push_back({isViewDependent(material, ranges), noise,
-                         noise > 0.0f && isBroad ? kTakenForNoiseWhereFlat : noise});
+    const bool isBroad = material.roughness >= kNarrow && material.clearcoat <= 0.0f;
+    materials.push_back(
+        {isViewDependent(material, ranges), noise, noise > 0.0f && isBroad ? kStrongNoise : noise});
   }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());

@@ -7,6 +7,7 @@
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
 #include "src/render/stratified_mean.h"
+#include "src/render/traced_noise.h"
 
 namespace promenade::render {
 namespace {
@@ -24,11 +25,6 @@ constexpr float kFaint = 0.25f;
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 128;
 constexpr float kFaintNoise = 0.015f;
-constexpr float kStrongNoise = 0.1f;
-/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same; such
-/// surfaces are often large and flat (polished floors), where noise is seen best. They may be clean after a
-/// few.
-constexpr float kNarrow = 0.1f;
 constexpr float kNarrowNoise = 0.05f;
 constexpr int kLeastNarrowPaths = 4;
 /// From one path alone nothing can be told of the noise.

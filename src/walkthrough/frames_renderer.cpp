@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ibr/depth_raster.h"
+#include "src/walkthrough/selected.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -46,8 +47,7 @@ Visibility FramesRenderer::visibilityAmong(const Camera& camera, std::span<const
 }
 
 void FramesRenderer::retrace(Frame& frame, const Mask& mask, SampleSource, int frameIndex) const {
-  const auto open = static_cast<double>(
-      std::count_if(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; }));
+  const auto open = static_cast<double>(countSelected(mask));
   if (open == 0.0) return;
   if (100.0 * open > mostUnknownPercent_ * static_cast<double>(mask.size().area())) {
     frame = make_(frame.visibility.camera, frameIndex);

@@ -4,6 +4,7 @@
 
 #include "ibr/blend.h"
 #include "src/walkthrough/retrace_items.h"
+#include "src/walkthrough/selected.h"
 #include "src/walkthrough/slant.h"
 
 namespace promenade::walkthrough {
@@ -12,11 +13,6 @@ namespace {
 /// 78 degrees. What another inbetween traced is often one sample wide, beside an edge. A keyframe has the
 /// neighbours, and there are two of them.
 constexpr double kGrazingOfShared = 0.2;
-
-std::uint64_t countSelected(const Mask& mask) {
-  return static_cast<std::uint64_t>(
-      std::count_if(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; }));
-}
 
 /// `target` becomes part of the result.
 ibr::Blended blendInTheOrderOfTime(const WarpedPair& keyframes, const std::vector<const Inbetween*>& others,

@@ -5,6 +5,7 @@
 
 #include "src/core/resolve.h"
 #include "src/walkthrough/item_table.h"
+#include "src/walkthrough/selected.h"
 #include "src/walkthrough/steady_items.h"
 
 namespace promenade::walkthrough {
@@ -32,12 +33,6 @@ Rgb meanRadiance(const WarpedPair& warped) {
     }
   }
   return count > 0.0 ? Rgb(sum / count) : Rgb(0.0f);
-}
-
-double percentSelected(const Mask& mask) {
-  std::size_t selected = 0;
-  for (const auto value : mask.pixels()) selected += value != 0 ? 1 : 0;
-  return 100.0 * static_cast<double>(selected) / static_cast<double>(mask.size().area());
 }
 
 /// Display pixels. Of an item with fewer that are compared nothing is proven: a glint on it may be in other

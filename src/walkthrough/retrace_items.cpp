@@ -1,12 +1,12 @@
 #include "src/walkthrough/retrace_items.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
 
 #include "ibr/view_layer.h"
 #include "src/core/display.h"
+#include "src/walkthrough/selected.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -80,10 +80,6 @@ class Lattices {
   Lattice coarse_;
   Lattice fine_;
 };
-
-bool isAnySelected(const Mask& mask) {
-  return std::ranges::any_of(mask.pixels(), [](std::uint8_t v) { return v != 0; });
-}
 
 bool isAnyAround(const Mask& mask, int x, int y, int reach) {
   for (int j = y - reach; j <= y + reach; ++j) {

@@ -10,6 +10,7 @@
 
 #include "src/core/resolve.h"
 #include "src/walkthrough/seen.h"
+#include "src/walkthrough/selected.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -51,10 +52,6 @@ class Tiles {
   int edge_;
   int supersample_;
 };
-
-bool isAnySet(const Mask& mask) {
-  return std::any_of(mask.pixels().begin(), mask.pixels().end(), [](std::uint8_t v) { return v != 0; });
-}
 
 void copySelected(const RadianceMap& from, const Mask& selected, RadianceMap& to) {
   for (std::size_t i = 0; i < selected.pixels().size(); ++i) {
@@ -126,7 +123,7 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
 
   Mask open = trace(mask, {0, rule.firstPaths});
   spent.mostPaths = rule.firstPaths;
-  if (!isAnySet(open)) return spent;
+  if (!isAnySelected(open)) return spent;
   // One for all that is compared here; the means that it is made of have little noise.
   const Surroundings surroundings = surroundingsOf(frame, frameIndex, settings);
   const auto seen = [&](const RadianceMap& samples) {
@@ -134,7 +131,7 @@ StoppingStatistics traceUntilInvisible(Frame& frame, const Mask& mask, int frame
   };
   const Mask noisy = open.clone();
   RadianceMap afterHalf = combinedRadiance(frame);  // of each sample's own paths
-  for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnySet(open); paths *= 2) {
+  for (int paths = rule.firstPaths; paths <= rule.mostPaths / 2 && isAnySelected(open); paths *= 2) {
     copySelected(combinedRadiance(frame), open, afterHalf);
     Mask goOn = trace(open, {paths, paths});
     spent.mostPaths = 2 * paths;

@@ -12,6 +12,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/core/fnv1a.h"
@@ -254,17 +255,21 @@ TEST(IrradianceRecords, AreTheSameSeveralAtATimeAsOneByOne) {
   EXPECT_LT(found, 2900);
 }
 
-TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
-  // 1 m above a floor that fills the view and sends back 0.5 everywhere.
+/// What a place 1 m above a floor that fills its view and sends back half of the light gathers, as often.
+tests::Spread gatherAboveFloor(LightSolution solution, int times) {
   Scene scene;
   scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
   tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
   PathTracer tracer(scene, PathSettings{});
+  tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
+  return tests::gatherOften(tracer, {0, 1, 0}, -kUp, times);
+}
+
+TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
   LightSolution solution;
   solution.fine.place({{0, 0, 0}, kUp, 1e4f});
   solution.fine.setLight({lightOf(1.0f)});
-  tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
-  const auto [mean, deviation] = tests::gatherOften(tracer, {0, 1, 0}, -kUp, 16);
+  const auto [mean, deviation] = gatherAboveFloor(std::move(solution), 16);
   EXPECT_NEAR(mean, 0.5, 0.002);
   // A path's weight z / (0.0625 / sqrt(z) + 0.75 z) at height z lies between 0 and 1.23: a relative deviation
   // of 0.32, a sixteenth of that for 256 independent paths. That is smooth over the square of random
@@ -273,18 +278,13 @@ TEST(PathTracer, GathersTheSameFromEverywhereNearlyWithoutNoise) {
 }
 
 TEST(PathTracer, GathersFromCoarseRecordsOnlyWhatIsFarForTheirReach) {
-  // A record that says 1 within 8 m around the foot of a place 1 m above a floor without light: it counts
-  // from 2 m on, that is where the cosine is under 1/2, and ends where it is 1 / sqrt(65). Shares of the
-  // light go by its square.
-  Scene scene;
-  scene.materials.push_back(tests::diffuseMaterial(Rgb(0.5f)));
-  tests::place(scene, tests::quad({-2e3f, 0, 2e3f}, {4e3f, 0, 0}, {0, 0, -4e3f}, 0));
-  PathTracer tracer(scene, PathSettings{});
+  // A record that says 1 within 8 m around the foot of the place, and no other light: it counts from 2 m on,
+  // that is where the cosine is under 1/2, and ends where it is 1 / sqrt(65). Shares of the light go by its
+  // square.
   LightSolution solution;
   solution.coarse.place({{0, 0, 0}, kUp, 8.0f});
   solution.coarse.setLight({lightOf(1.0f)});
-  tracer.setSolution(std::make_shared<const LightSolution>(std::move(solution)));
-  EXPECT_NEAR(tests::gatherOften(tracer, {0, 1, 0}, -kUp, 64).mean, 0.5 * (1.0 / 4.0 - 1.0 / 65.0), 0.003);
+  EXPECT_NEAR(gatherAboveFloor(std::move(solution), 64).mean, 0.5 * (1.0 / 4.0 - 1.0 / 65.0), 0.003);
 }
 
 TEST(RadianceOnTurned, FollowsTheCosineForASingleLight) {

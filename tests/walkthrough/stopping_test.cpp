@@ -47,9 +47,13 @@ double percentDifferent(const Frame& a, const Frame& b) {
                              Mask());
 }
 
+NoisyWall evenlyNoisy(double contrast, unsigned seed) {
+  return NoisyWall(
+      kStoppedSize, [contrast](int, int) { return contrast; }, seed);
+}
+
 TEST(Stopping, WhatNeedsNoMorePathsGetsTheFirstOnesOnly) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return -1.0; }, 1);
+  const NoisyWall wall = evenlyNoisy(-1.0, 1);
   const StoppingStatistics spent = trial(wall).spent;
   EXPECT_EQ(spent.paths, 16u * kStoppedSize.area());
   EXPECT_EQ(spent.mostPaths, 16);
@@ -58,8 +62,7 @@ TEST(Stopping, WhatNeedsNoMorePathsGetsTheFirstOnesOnly) {
 }
 
 TEST(Stopping, WhatMayBeNoisyIsComparedOnceAtLeast) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return 0.0; }, 1);
+  const NoisyWall wall = evenlyNoisy(0.0, 1);
   const StoppingStatistics spent = trial(wall).spent;
   EXPECT_EQ(spent.paths, 32u * kStoppedSize.area());  // 16, and 16 more that change nothing
   EXPECT_EQ(spent.predictedPercent, 0.0);
@@ -67,10 +70,8 @@ TEST(Stopping, WhatMayBeNoisyIsComparedOnceAtLeast) {
 
 TEST(Stopping, TwiceTheNoiseTakesFourTimesThePaths) {
   // What counts is contrast / sqrt(paths): twice the contrast is as visible with four times the paths.
-  const NoisyWall once(
-      kStoppedSize, [](int, int) { return 0.05; }, 1);
-  const NoisyWall twice(
-      kStoppedSize, [](int, int) { return 0.1; }, 1);
+  const NoisyWall once = evenlyNoisy(0.05, 1);
+  const NoisyWall twice = evenlyNoisy(0.1, 1);
   const StoppingStatistics a = trial(once).spent;
   const StoppingStatistics b = trial(twice).spent;
   EXPECT_GT(a.mostPaths, 32);
@@ -90,12 +91,9 @@ TEST(Stopping, EasyTilesStopEarly) {
 TEST(Stopping, TwoFramesThatStoppedDoNotDifferVisibly) {
   for (const double contrast : {0.03, 0.07, 0.15}) {
     SCOPED_TRACE(contrast);
-    const NoisyWall wall(
-        kStoppedSize, [=](int, int) { return contrast; }, 1);
-    const NoisyWall other(
-        kStoppedSize, [=](int, int) { return contrast; }, 2);
-    const NoisyWall converged(
-        kStoppedSize, [](int, int) { return 0.0; }, 1);
+    const NoisyWall wall = evenlyNoisy(contrast, 1);
+    const NoisyWall other = evenlyNoisy(contrast, 2);
+    const NoisyWall converged = evenlyNoisy(0.0, 1);
     const Trial a = trial(wall);
     const Trial b = trial(other);
     ASSERT_EQ(a.spent.openTiles, 0);
@@ -107,8 +105,7 @@ TEST(Stopping, TwoFramesThatStoppedDoNotDifferVisibly) {
 }
 
 TEST(Stopping, NoiseThatCannotBeHelpedEndsAtTheMostPathsAndSaysWhatRemains) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return 1e3; }, 1);
+  const NoisyWall wall = evenlyNoisy(1e3, 1);
   const StoppingStatistics spent = trial(wall).spent;
   EXPECT_EQ(spent.mostPaths, 1024);
   EXPECT_EQ(spent.paths, 1024u * kStoppedSize.area());
@@ -117,8 +114,7 @@ TEST(Stopping, NoiseThatCannotBeHelpedEndsAtTheMostPathsAndSaysWhatRemains) {
 }
 
 TEST(Stopping, TracesWhatIsSelectedOnly) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return 0.15; }, 1);
+  const NoisyWall wall = evenlyNoisy(0.15, 1);
   Mask mask(kStoppedSize);
   for (int y = 20; y < 40; ++y) {
     for (int x = 30; x < 60; ++x) mask(x, y) = 1;
@@ -160,10 +156,8 @@ Trial interpolated(const NoisyWall& wall) {
 }
 
 TEST(Stopping, SparseSamplesAreAsNoisyAsWhatIsInterpolatedBetweenThem) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return 0.15; }, 1);
-  const NoisyWall other(
-      kStoppedSize, [](int, int) { return 0.15; }, 2);
+  const NoisyWall wall = evenlyNoisy(0.15, 1);
+  const NoisyWall other = evenlyNoisy(0.15, 2);
   const Trial a = interpolated(wall);
   const Trial b = interpolated(other);
   ASSERT_EQ(a.spent.openTiles, 0);
@@ -172,8 +166,7 @@ TEST(Stopping, SparseSamplesAreAsNoisyAsWhatIsInterpolatedBetweenThem) {
 }
 
 TEST(Stopping, AnIsolatedSampleProvesNothingOfItsNeighbours) {
-  const NoisyWall wall(
-      kStoppedSize, [](int, int) { return 0.15; }, 1);
+  const NoisyWall wall = evenlyNoisy(0.15, 1);
   Trial t;
   t.frame = unshaded(wall.visibility(Camera(Pose{}, 1.0, kStoppedSize)));
   std::fill(t.frame.diffuse.pixels().begin(), t.frame.diffuse.pixels().end(), Rgb(NoisyWall::kGrey));
