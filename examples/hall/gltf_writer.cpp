@@ -65,6 +65,7 @@ std::vector<std::uint32_t> withoutDegenerates(const Surface& surface) {
 
 void writePng(const std::filesystem::path& file, const Picture& picture) {
   const auto output = OIIO::ImageOutput::create("png");
+  if (output) output->threads(1);  // small pictures: threads would cost more than they give
   OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("png:compressionLevel", 6);
   if (!output || !output->open(file.string(), spec) ||

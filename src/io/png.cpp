@@ -21,6 +21,7 @@ void write8bit(const std::filesystem::path& file, const EncodedMap& image) {
   OIIO::ImageSpec spec(image.width(), image.height(), 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   // In memory first: AtomicFile then knows every way in which a disk can fail.
+  out->threads(1);
   OIIO::Filesystem::IOVecOutput memory;
   out->set_ioproxy(&memory);
   const std::vector<std::uint8_t> bytes = toRgbBytes(image);

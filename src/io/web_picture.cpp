@@ -18,6 +18,7 @@ std::string dataUri(const EncodedMap& image, PictureCoding coding) {
   if (!out) throw CannotContinue("WebP: cannot encode: " + firstLine(OIIO::geterror()));
   OIIO::ImageSpec spec(image.width(), image.height(), 3, OIIO::TypeDesc::UINT8);
   spec.attribute("compression", coding == PictureCoding::kFlat ? "lossless:100" : "webp:80");
+  out->threads(1);
   OIIO::Filesystem::IOVecOutput memory;
   out->set_ioproxy(&memory);
   const std::vector<std::uint8_t> bytes = toRgbBytes(image);
@@ -37,7 +38,7 @@ EncodedMap reduced(const EncodedMap& image, Size size) {
   // OpenImageIO only reads from it.
   const OIIO::ImageBuf source(from, const_cast<Rgb*>(image.pixels().data()));
   const OIIO::ROI roi(0, size.width, 0, size.height, 0, 1, 0, 3);
-  const OIIO::ImageBuf made = OIIO::ImageBufAlgo::resize(source, "box", 0.0f, roi);
+  const OIIO::ImageBuf made = OIIO::ImageBufAlgo::resize(source, "box", 0.0f, roi, 1);
   EncodedMap result(size);
   made.get_pixels(roi, OIIO::TypeDesc::FLOAT, result.pixels().data());
   return result;

@@ -86,6 +86,7 @@ Decoded decodeImage(std::span<const std::uint8_t> encoded, Budget* budget) {
     result.error = "cannot be decoded: " + printable(OIIO::geterror());
     return result;
   }
+  input->threads(1);  // images are decoded side by side; OpenImageIO's own threads would only compete
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
     result.error = "cannot be decoded: it has no texels";
