@@ -13,6 +13,7 @@
 #include "src/app/printable.h"
 #include "src/app/verbs.h"
 #include "src/core/errors.h"
+#include "src/core/worker_threads.h"
 
 namespace promenade::app {
 namespace {
@@ -72,6 +73,7 @@ ExitStatus failed(const std::string& message, ExitStatus status) {
 int main(int argc, char** argv) {
   using promenade::app::ExitStatus;
   using promenade::app::failed;
+  const promenade::WorkerThreads workers;
   ExitStatus status = ExitStatus::kDone;
   try {
     promenade::app::keepFreedMemory();
