@@ -31,11 +31,12 @@ function(promenade_library name)
   endif()
 endfunction()
 
-# promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...] [TIMEOUT seconds] [SLOW Suite.Test ...]):
-# one executable, one CTest entry a test case. SLOW names test cases, * allowed, that get the label "slow" instead: the
-# sanitizer builds leave them out.
+# promenade_test(NAME SOURCES a_test.cpp ... LIBRARIES target ... [LABELS ...] [TIMEOUT seconds] [ALONE Suite.Test ...]
+# [SLOW Suite.Test ...]): one executable, one CTest entry a test suite. ALONE and SLOW name test cases, * allowed, that are
+# entries of their own: those that may be skipped, and those that take seconds. SLOW also gives them the label "slow" instead:
+# the sanitizer builds leave them out.
 function(promenade_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;SLOW" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;ALONE;SLOW" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -44,14 +45,21 @@ function(promenade_test name)
   target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # What a test does itself takes longer to optimise than to run; the libraries that it calls are optimised fully.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+
+  set(single ${ARG_ALONE} ${ARG_SLOW})
   set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
-  if(ARG_SLOW)
-    list(JOIN ARG_SLOW ":" slow)
+  list(JOIN ARG_SLOW ":" slow)
+  list(JOIN ARG_ALONE ":" alone)
+  if(slow)
     # One label: of a list only the first gets through.
     gtest_discover_tests(${name} ${discovery} TEST_FILTER "${slow}" PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS slow)
-    set(others TEST_FILTER "-${slow}")
   endif()
-  gtest_discover_tests(${name} ${discovery} ${others} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(alone)
+    gtest_discover_tests(${name} ${discovery} TEST_FILTER "${alone}" PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  endif()
+  list(JOIN single ":" single)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/TestSuites.cmake.in ${name}_suites.cmake @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
 endfunction()
 if(PROMENADE_TESTS)
   include(GoogleTest)
