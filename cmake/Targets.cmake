@@ -44,7 +44,7 @@ function(promenade_test name)
   target_link_libraries(${name} PRIVATE promenade_flags ${ARG_LIBRARIES} GTest::gmock TBB::tbb)
   target_compile_definitions(${name} PRIVATE PROMENADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # What a test does itself takes longer to optimise than to run; the libraries that it calls are optimised fully.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-Og>)
 
   set(single ${ARG_ALONE} ${ARG_SLOW})
   set(discovery DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
