@@ -18,7 +18,7 @@ namespace {
 /// Samples of a frame that are counted. 1800 gave the same within a tenth, for little less time.
 constexpr double kCounted = 3600.0;
 /// A frame is looked at in so many times as many rows and columns: what lies closer together than samples
-/// cannot be told apart, so that coarser views are less often found to agree. Measured (docs/results.md).
+/// cannot be told apart, so that coarser views are less often found to agree. Measured (docs/experiments.md).
 constexpr int kFiner = 2;
 
 /// The counted samples: a grid of about kCounted cells, each as near to a square as can be.
