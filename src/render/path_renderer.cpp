@@ -85,6 +85,14 @@ struct ShadedSample {
   bool isClean = true;      ///< more paths would change nothing that a viewer could see
 };
 
+/// A sample of a tile: its pilot's radiance first, then that of all its paths.
+struct Traced {
+  Ray ray;
+  Hit hit;
+  glm::vec3 normal;
+  ShadedSample sample;
+};
+
 class PathRenderer final : public Renderer {
  public:
   PathRenderer(const Scene& scene, const PathSettings& settings)
@@ -210,7 +218,7 @@ class PathRenderer final : public Renderer {
     Effort effort;
   };
   [[nodiscard]] Work allPaths(int frameIndex) const {
-    return {frameIndex, {0, settings_.pathsPerSample}, Effort::kUntilClean};
+    return {frameIndex, {0, settings_.pathsPerSample}, Effort::kPilot};
   }
 
   template <class Store>
@@ -219,25 +227,43 @@ class PathRenderer final : public Renderer {
     if (samples.count() == 0) return;
     PathRays rays;
     const float pixelWidth = settings_.sampleWidth / static_cast<float>(camera.focalPixels());
-    samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const PrimaryHit& primary) {
-      const auto& [ray, hit, normal] = primary;
+    const auto shade = [&](const Traced& t, Effort effort, PilotedSample& piloted) {
+      Sampler::Stream stream;
+      stream.pixel = piloted.position;
+      stream.frame = static_cast<std::uint32_t>(work.frameIndex);
+      stream.seed = seedOf(settings_);
+      stream.pathsPerPixel = static_cast<std::uint32_t>(work.paths.count);
+      stream.block = static_cast<std::uint32_t>(work.paths.before / work.paths.count);
+      const PathRays before = rays;
       ShadedSample sample;
-      if (hit.found()) {
-        Sampler::Stream stream;
-        stream.pixel = {p.x, p.y};
-        stream.frame = static_cast<std::uint32_t>(work.frameIndex);
-        stream.seed = seedOf(settings_);
-        stream.pathsPerPixel = static_cast<std::uint32_t>(work.paths.count);
-        stream.block = static_cast<std::uint32_t>(work.paths.before / work.paths.count);
-        const PathRays before = rays;
-        sample.radiance = tracer_.shade(hit, ray, pixelWidth, stream, work.effort, rays);
-        sample.paths = rays.paths - before.paths;
-        sample.isClean = rays.noisyLines == before.noisyLines;
+      sample.radiance = tracer_.shade(t.hit, t.ray, pixelWidth, stream, effort, piloted.pilots, rays);
+      sample.paths = rays.paths - before.paths;
+      sample.isClean = rays.noisyLines == before.noisyLines;
+      return sample;
+    };
+    std::vector<Traced> traced;
+    std::vector<PilotedSample> piloted;
+    traced.reserve(static_cast<std::size_t>(samples.count()));
+    piloted.reserve(static_cast<std::size_t>(samples.count()));
+    samples.castPrimaryRays(tracer_.embree(), camera, [&](SamplePosition p, const PrimaryHit& primary) {
+      Traced& t = traced.emplace_back(Traced{primary.ray, primary.hit, primary.tracedNormal, {}});
+      PilotedSample& pilots = piloted.emplace_back(PilotedSample{{p.x, p.y}, t.hit.instance, {}});
+      if (t.hit.found()) {
+        t.sample = shade(t, work.effort, pilots);
       } else {
-        sample.radiance.diffuse = tracer_.background(glm::normalize(ray.direction));
+        t.sample.radiance.diffuse = tracer_.background(glm::normalize(t.ray.direction));
       }
-      store(p, primary, sample);
     });
+    choosePaths(piloted);
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+      Traced& t = traced[i];
+      const std::vector<Pilot>& lines = piloted[i].pilots.lines;
+      if (std::any_of(lines.begin(), lines.end(), [](const Pilot& p) { return p.wanted > p.paths; })) {
+        t.sample = shade(t, Effort::kGoOn, piloted[i]);
+      }
+      store(SamplePosition{piloted[i].position.x, piloted[i].position.y}, PrimaryHit{t.ray, t.hit, t.normal},
+            t.sample);
+    }
     primaryRays_ += static_cast<std::uint64_t>(samples.count());
     scatteredRays_ += rays.scattered;
     shadowRays_ += rays.shadow;

@@ -5,9 +5,11 @@
 //
 // Every sample has exactly one primary hit, at the sample's centre; `pathsPerSample` paths start from that
 // hit, or, where it is smooth glass, a mirror or blended, share the ends of the lines of sight through it
-// (docs/method.md; up to about twice as many). What a single-sided material (glTF doubleSided == false) looks
-// like from behind: a solid surface like its front, but it does not shine there. (The common convention of
-// path tracers; culling would open closed rooms to the sky.)
+// (docs/method.md; up to about twice as many). With a light solution a reflection gets as many as those of
+// the samples asked for around it need (so which are asked for changes how noisy it is, and hardly its mean).
+// What a single-sided material (glTF doubleSided == false) looks like from behind: a solid surface like its
+// front, but it does not shine there. (The common convention of path tracers; culling would open closed rooms
+// to the sky.)
 
 #include <cstdint>
 #include <functional>

@@ -19,14 +19,13 @@ constexpr float kLeastTraced = 0.002f;
 /// Up to this share of what a surface sends back all samples share their random numbers. (A stronger
 /// reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
-/// A reflection gets at least so many paths (whoever stops at the first few that agree stops before the rare
-/// bright one), and up to so many until the standard error of a sample is kStrongNoise or, if it is faint or
-/// its numbers are shared, this share of all it shows.
+/// A reflection gets at least so many paths, and up to so many until the standard error of a sample is about
+/// kStrongNoise or, if it is faint or its numbers are shared, this share of all it shows.
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 128;
 constexpr float kFaintNoise = 0.015f;
-constexpr float kNarrowNoise = 0.05f;
-constexpr int kLeastNarrowPaths = 4;
+constexpr float kNarrowNoise = 0.06f;
+constexpr int kLeastNarrowPaths = 8;
 /// From one path alone nothing can be told of the noise.
 constexpr int kLeastOfAll = 2;
 /// Beside a known diffuse part only lobes are traced, which find all but small lights by themselves: so
@@ -143,8 +142,8 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   const bool isFaint = known && share <= kFaint * largest(albedo.diffuse + albedo.viewDependent);
   Sampler::Stream numbers = sight.numbersOf(stream);
   if (isFaint) numbers = sharedNumbers(numbers);
-  const bool untilClean = sight.effort == Effort::kUntilClean;
-  if (untilClean) {
+  const bool isExact = sight.effort == Effort::kExactly;
+  if (!isExact) {
     numbers.pathsPerPixel = std::max(stream.pathsPerPixel, static_cast<std::uint32_t>(kMostPaths));
   }
   // Effort in proportion to what the eye gets of it.
@@ -200,19 +199,31 @@ SampleRadiance PathTracer::shadeFromSolution(const Sight& sight, Vertex vertex, 
   };
   const bool isNarrow = look.bsdf.roughness < kNarrow &&
                         !(look.bsdf.clearcoat > 0.0f && look.bsdf.clearcoatRoughness >= kNarrow);
-  const float noise = isFaint || !untilClean ? kFaintNoise : isNarrow ? kNarrowNoise : kStrongNoise;
-  const auto isClean = [&] {
-    const auto n = static_cast<float>(count);
-    const float mean = luminance(sum.diffuse + sum.viewDependent) / n;
-    const float whole = sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean);
-    return weight * found.standardError(count) <= noise * whole;
+  const float noise = isFaint || isExact ? kFaintNoise : isNarrow ? kNarrowNoise : kStrongNoise;
+  const auto error = [&] { return weight * found.standardError(count); };
+  const auto limit = [&] {
+    const float mean = luminance(sum.diffuse + sum.viewDependent) / static_cast<float>(count);
+    return noise * (sight.besides + weight * (luminance(result.diffuse + result.viewDependent) + mean));
   };
   // Whoever gets fewer learns nothing about their noise.
   const int enough = ofWeight(isNarrow ? kLeastNarrowPaths : kLeastPaths);
-  trace(std::min(most, enough));
-  while (count < most && !isClean()) trace(std::min(count, most - count));
-  rays.paths += static_cast<std::uint64_t>(count);
-  if (count < enough || !isClean()) ++rays.noisyLines;
+  int before = 0;
+  if (sight.effort == Effort::kGoOn) {
+    const Pilot& pilot = sight.pilots->lines[sight.pilots->next++];
+    sum = pilot.sum;
+    before = count = pilot.paths;
+    trace(pilot.wanted - before);
+  } else {
+    trace(std::min(most, enough));
+    while (isExact && count < most && error() > limit()) trace(std::min(count, most - count));
+  }
+  rays.paths += static_cast<std::uint64_t>(count - before);
+  if (isExact && (count < enough || error() > limit())) ++rays.noisyLines;
+  if (sight.effort == Effort::kPilot) {
+    const float ofAll = error();
+    sight.pilots->lines.push_back(
+        {sum, count, most, ofAll * ofAll * static_cast<float>(count), limit() * limit(), count});
+  }
   const float each = 1.0f / static_cast<float>(count);
   result.diffuse += sum.diffuse * each;
   result.viewDependent += sum.viewDependent * each;

@@ -10,6 +10,7 @@
 #include "src/render/irradiance_records.h"
 #include "src/render/lights.h"
 #include "src/render/path_renderer.h"
+#include "src/render/pilot.h"
 #include "src/render/sampler.h"
 #include "src/render/sky_guide.h"
 #include "src/render/surfaces.h"
@@ -18,17 +19,13 @@ namespace promenade::render {
 
 class ScatteringSurface;
 
-struct SampleRadiance {
-  Rgb diffuse{0.0f};
-  Rgb viewDependent{0.0f};
-};
-
 /// How many paths a line of sight gets where it needs any.
 enum class Effort {
-  /// Stream::pathsPerPixel; with a light solution as many as a reflection takes to be clean, by its standard
-  /// error.
-  kUntilClean,
   kExactly,  ///< Stream::pathsPerPixel, or fewer where they are found to be clean
+  /// Stream::pathsPerPixel; with a light solution only the first few of a reflection, which tell how many it
+  /// takes until it is clean.
+  kPilot,
+  kGoOn,  ///< after kPilot, by the same call: what is missing of those that somebody decided on
 };
 
 /// Counted by whoever calls; one a thread.
@@ -72,10 +69,11 @@ class PathTracer {
 
   /// What a primary ray that hits nothing sees.
   [[nodiscard]] Rgb background(const glm::vec3& unitDirection) const;
-  /// Mean of the paths from a primary hit. `pixelWidth`: of a sample at distance 1 along the view axis, of
-  /// which `direction` has component 1.
+  /// Mean of the paths from a primary hit. `pilots`: written by Effort::kPilot, read by kGoOn. `pixelWidth`:
+  /// of a sample at distance 1 along the view axis, of which `direction` has component 1.
   [[nodiscard]] SampleRadiance shade(const Hit& hit, const Ray& primary, float pixelWidth,
-                                     const Sampler::Stream& stream, Effort effort, PathRays& rays) const;
+                                     const Sampler::Stream& stream, Effort effort, Pilots& pilots,
+                                     PathRays& rays) const;
 
   /// Light on a surface element: everything but what point, spot and directional lights send there directly,
   /// which every sample asks for itself. `numbers`: its pixel, frame and seed tell elements apart.

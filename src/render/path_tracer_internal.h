@@ -143,7 +143,8 @@ struct PathTracer::Sight {
   /// Which way it took at each surface: a number for each line of a sample.
   std::uint32_t turns = 0;
   int passages = 0;  ///< straight through surfaces
-  Effort effort = Effort::kUntilClean;
+  Effort effort = Effort::kExactly;
+  Pilots* pilots = nullptr;
   float besides = 0.0f;  ///< luminance that the eye is known to get otherwise
 
   [[nodiscard]] float weight() const { return largest(path.throughput); }

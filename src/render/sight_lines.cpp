@@ -36,10 +36,12 @@ constexpr std::uint32_t kWays = 5, kUncovered = 4;
 }  // namespace
 
 SampleRadiance PathTracer::shade(const Hit& hit, const Ray& primary, float pixelWidth,
-                                 const Sampler::Stream& stream, Effort effort, PathRays& rays) const {
+                                 const Sampler::Stream& stream, Effort effort, Pilots& pilots,
+                                 PathRays& rays) const {
   const float length = glm::length(primary.direction);
   Sight sight;
   sight.effort = effort;
+  sight.pilots = &pilots;
   sight.path.origin = primary.origin;
   sight.path.direction = primary.direction / length;
   sight.path.spread = pixelWidth / length;

@@ -1,0 +1,51 @@
+#include "src/render/pilot.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace promenade::render {
+namespace {
+
+struct Together {
+  float variance = 0.0f;
+  float squaredLimit = 0.0f;
+  int count = 0;
+
+  void add(const Pilot& pilot) {
+    variance += pilot.variance;
+    squaredLimit += pilot.squaredLimit;
+    ++count;
+  }
+};
+
+Together around(std::span<const PilotedSample> samples, const PilotedSample& sample, std::size_t line) {
+  Together together;
+  for (const PilotedSample& other : samples) {
+    const glm::ivec2 offset = other.position - sample.position;
+    if (&other == &sample || other.instance != sample.instance || other.pilots.lines.size() <= line ||
+        std::abs(offset.x) > kPilotReach || std::abs(offset.y) > kPilotReach) {
+      continue;
+    }
+    together.add(other.pilots.lines[line]);
+  }
+  return together;
+}
+
+}  // namespace
+
+void choosePaths(std::span<PilotedSample> samples) {
+  for (PilotedSample& sample : samples) {
+    for (std::size_t line = 0; line < sample.pilots.lines.size(); ++line) {
+      Pilot& pilot = sample.pilots.lines[line];
+      Together known = around(samples, sample, line);
+      if (known.count < kLeastPilots) known.add(pilot);
+      while (pilot.wanted < pilot.most &&
+             known.variance >= 2.0f * static_cast<float>(pilot.wanted) * known.squaredLimit &&
+             known.variance > 0.0f) {
+        pilot.wanted = std::min(2 * pilot.wanted, pilot.most);
+      }
+    }
+  }
+}
+
+}  // namespace promenade::render
