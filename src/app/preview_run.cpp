@@ -128,23 +128,26 @@ ExitStatus runPreview(const RenderOptions& options, Console& console) {
   }
   console.keepLog(folder / "promenade.log", options.command);
   for (const std::string& warning : job.scene.warnings) console.warning(job.scene.source + ": " + warning);
-  const render::PathSettings paths{
+  render::PathSettings paths{
       .seed = job.values.seed, .threads = threads.count(), .checkpoint = [] { throwIfInterrupted(); }};
+  const int frame = job.settings.frames.first;
+  const Camera camera = job.path.camera(frame, job.settings.size);
   std::unique_ptr<Renderer> renderer;
   std::shared_ptr<const render::LightSolution> known;
+  bool isWhole = false;
   {
     const walkthrough::Stopwatch watch(job.secondsLoading);
+    if (options.integrator == "walkthrough") known = knownLight(job, console);
+    isWhole = known && render::isWholeFor(camera, *known);
+    if (isWhole) paths.solution = known;
     renderer = render::makePathRenderer(job.scene, paths);
-    known = knownLight(job, console);
   }
 
   const auto start = Clock::now();
   const walkthrough::Clock clock = [start] { return secondsSince(start); };
   walkthrough::Settings settings = job.settings;
   settings.tone = toneFor(job.values, job.scene, job.path, *renderer, settings);
-  const int frame = settings.frames.first;
   settings.frames = {frame, frame};
-  const Camera camera = job.path.camera(frame, settings.size);
   walkthrough::MakeSteppedLight makeLight;
   if (options.integrator == "walkthrough") {
     makeLight = [&] { return std::make_unique<SolverLight>(job.scene, paths, camera, known); };
@@ -152,7 +155,8 @@ ExitStatus runPreview(const RenderOptions& options, Console& console) {
   walkthrough::PreviewRule rule;
   rule.budgetSeconds = budget;
   rule.progress = console.progress();
-  Preview preview = walkthrough::preview(*renderer, makeLight, camera, settings, rule, clock);
+  Preview preview = isWhole ? walkthrough::previewByKnownLight(*renderer, camera, settings, rule, clock)
+                            : walkthrough::preview(*renderer, makeLight, camera, settings, rule, clock);
   console.endProgress();
 
   const fs::path picture = folder / "preview.png";

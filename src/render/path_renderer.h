@@ -117,6 +117,8 @@ struct LightSolutionSize {
   std::uint64_t rays = 0;
 };
 [[nodiscard]] LightSolutionSize sizeOf(const LightSolution& solution);
+/// Whether solveLight() would take it as it is for that camera.
+[[nodiscard]] bool isWholeFor(const Camera& camera, const LightSolution& solution);
 
 /// A solution as the contents of a file (docs/formats.md); `key` names what it is the light of.
 [[nodiscard]] std::string toBytes(const LightSolution& solution, std::string_view key);

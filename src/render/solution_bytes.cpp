@@ -144,6 +144,10 @@ void addRecords(Writer& out, const IrradianceRecords& records) {
 
 }  // namespace
 
+bool isWholeFor(const Camera& camera, const LightSolution& solution) {
+  return solution.isFor(camera);
+}
+
 LightSolutionSize sizeOf(const LightSolution& solution) {
   return {solution.coarse.places().size() + solution.fine.places().size(), solution.cameras.size(),
           solution.rays.scattered + solution.rays.shadow};

@@ -161,9 +161,7 @@ class Progression {
   /// Paths of the next level; nothing if there is none, or none in time.
   [[nodiscard]] std::optional<std::uint64_t> placed() {
     if (!placed_ && !isLightOver_) {
-      inTime([&](const SteppedLight::Checkpoint& checkpoint) {
-        placed_ = light_->levelsLeft() > 0 ? light_->place(checkpoint) : 0;
-      });
+      inTime([&](const SteppedLight::Checkpoint& checkpoint) { placed_ = light_->place(checkpoint); });
     }
     return placed_;
   }
@@ -174,21 +172,19 @@ class Progression {
     return paths ? secondsOfGatheredPath_ * static_cast<double>(*paths) : kForever;
   }
 
-  // The next level, if it ends in time, and a picture by it. Light that was whole from the beginning is one.
+  // The next level, if it ends in time, and a picture by it.
   void computeLevel() {
     const double start = clock_();
-    if (light_->levelsLeft() > 0) {
-      std::uint64_t paths = placed_.value_or(0);
-      const auto mayTrace = [&](std::uint64_t more) {
-        if (secondsOfPath_ * static_cast<double>(more) > kShareOfLight * left()) return false;
-        paths += more;
-        return true;
-      };
-      inTime([&](const SteppedLight::Checkpoint& checkpoint) { light_->gather(checkpoint, mayTrace); });
-      if (isLightOver_) return;
-      ++levels_;
-      secondsOfGatheredPath_ = (clock_() - start) / static_cast<double>(std::max<std::uint64_t>(paths, 1));
-    }
+    std::uint64_t paths = placed_.value_or(0);
+    const auto mayTrace = [&](std::uint64_t more) {
+      if (secondsOfPath_ * static_cast<double>(more) > kShareOfLight * left()) return false;
+      paths += more;
+      return true;
+    };
+    inTime([&](const SteppedLight::Checkpoint& checkpoint) { light_->gather(checkpoint, mayTrace); });
+    if (isLightOver_) return;
+    ++levels_;
+    secondsOfGatheredPath_ = (clock_() - start) / static_cast<double>(std::max<std::uint64_t>(paths, 1));
     placed_.reset();
     renew();
   }
@@ -272,6 +268,15 @@ class Progression {
 Preview preview(const Renderer& paths, const MakeSteppedLight& makeLight, const Camera& camera,
                 const Settings& settings, const PreviewRule& rule, const Clock& clock) {
   return Progression(paths, makeLight, camera, settings, rule, clock).run();
+}
+
+Preview previewByKnownLight(const Renderer& lit, const Camera& camera, const Settings& settings,
+                            const PreviewRule& rule, const Clock& clock) {
+  Preview made = preview(lit, {}, camera, settings, rule, clock);
+  made.stage = PreviewStage::kContinued;
+  made.stochasticSeconds = 0.0;
+  made.error.reset();  // its noise can be told, its light's cannot
+  return made;
 }
 
 }  // namespace promenade::walkthrough

@@ -36,6 +36,7 @@ class SteppedLight {
   SteppedLight& operator=(const SteppedLight&) = delete;
   virtual ~SteppedLight() = default;
 
+  /// At least 1 at first.
   [[nodiscard]] virtual int levelsLeft() const = 0;
   /// Prepares the next level. Returns how many paths computing it will take at least.
   virtual std::uint64_t place(const Checkpoint& checkpoint) = 0;
@@ -69,7 +70,8 @@ struct Preview {
   int paths = 0;       ///< of each sample that needs any
   int levelsLeft = 0;  ///< of the light solution that the picture is made of
   /// RMS. Stage 1: about so much, as ProgressivePicture::error(). Later: hardly more than this, two standard
-  /// errors above what path tracing can tell. Nothing if it is not known (a single path).
+  /// errors above what path tracing can tell. Nothing if it is not known (a single path; light that was
+  /// known).
   std::optional<double> error;
   /// Per cent of the pixels that would differ visibly between two pictures with as much noise.
   std::optional<double> predictedPercent;
@@ -84,5 +86,10 @@ struct Preview {
 /// every sample is traced whatever the budget.
 [[nodiscard]] Preview preview(const Renderer& paths, const MakeSteppedLight& makeLight, const Camera& camera,
                               const Settings& settings, const PreviewRule& rule, const Clock& clock);
+
+/// The same where the light is known from the beginning, of the quality of a walk: `lit` shades with it, and
+/// all that is left to do are paths of reflections.
+[[nodiscard]] Preview previewByKnownLight(const Renderer& lit, const Camera& camera, const Settings& settings,
+                                          const PreviewRule& rule, const Clock& clock);
 
 }  // namespace promenade::walkthrough

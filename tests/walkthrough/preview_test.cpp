@@ -214,30 +214,27 @@ TEST(Preview, OfALargerBudgetIsNearerToTheConvergedPicture) {
   }
 }
 
-TEST(Preview, UsesLightThatIsWholeFromTheBeginning) {
-  class WholeLight final : public SteppedLight {
-   public:
-    explicit WholeLight(double& now) : now_(now) {}
-    [[nodiscard]] int levelsLeft() const override { return 0; }
-    std::uint64_t place(const Checkpoint&) override { return 0; }
-    void gather(const Checkpoint&, const MayTrace&) override { ADD_FAILURE(); }
-    [[nodiscard]] std::unique_ptr<const Renderer> renderer() const override {
-      return std::make_unique<TimedWall>(WallLook{.secondsPerPath = 0.25, .seed = 2}, now_);
-    }
-
-   private:
-    double& now_;
-  };
-  double now = 0.0;
-  const TimedWall paths({.contrast = 1.0}, now);
+TEST(Preview, ShowsKnownLightFromTheFirstPathOn) {
   PreviewRule rule;
   rule.budgetSeconds = 5.0;
   const Settings s = previewSettings();
-  const Preview p = preview(
-      paths, [&] { return std::make_unique<WholeLight>(now); }, kPreviewCamera, s, rule, [&] { return now; });
-  EXPECT_EQ(p.stage, PreviewStage::kContinued);
-  EXPECT_EQ(p.levelsLeft, 0);
-  EXPECT_NEAR(p.seconds, 2.25, 1e-9);  // two paths to judge it by, and its picture
+  const auto of = [&](double contrast) {
+    double now = 0.0;
+    const TimedWall lit({.contrast = contrast, .secondsPerPath = 0.25, .seed = 2}, now);
+    return previewByKnownLight(lit, kPreviewCamera, s, rule, [&] { return now; });
+  };
+  const Preview clean = of(0.0);
+  EXPECT_EQ(clean.stage, PreviewStage::kContinued);
+  EXPECT_EQ(clean.levelsLeft, 0);
+  EXPECT_FALSE(clean.switchedSeconds);
+  EXPECT_FALSE(clean.error);
+  EXPECT_DOUBLE_EQ(clean.predictedPercent.value(), 0.0);
+  EXPECT_NEAR(clean.seconds, 0.25, 1e-9);
+  // Noisy reflections take what there is: a pass is begun if 1.1 times its time is left.
+  const Preview noisy = of(1.0);
+  EXPECT_GE(noisy.paths, 16);
+  EXPECT_LE(noisy.seconds, rule.budgetSeconds);
+  EXPECT_DOUBLE_EQ(noisy.stochasticSeconds, 0.0);
 }
 
 }  // namespace
