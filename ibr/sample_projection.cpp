@@ -50,10 +50,6 @@ ProjectedSample SampleProjection::operator()(int x, int y) const {
   projected.sighting = sight_(projected.position, point);
   projected.area =
       focalRatioSquared_ * cosineRatio / (shift.depthRatio * shift.depthRatio * shift.depthRatio);
-  // Also where it is not a number: edge-on.
-  if (!(projected.area > 0.0f) && projected.sighting.seen != Seen::kOutside) {
-    projected.sighting.seen = Seen::kNot;
-  }
   return projected;
 }
 

@@ -12,9 +12,10 @@ namespace promenade::ibr {
 
 /// A sample of `from`, in the image of `to`.
 struct ProjectedSample {
-  Sighting sighting;     ///< kNot where its surface is seen from behind
-  glm::vec2 position{};  ///< pixels of `to`; meaningful unless kOutside
-  float area = 0.0f;     ///< how many samples of `to` it covers; not > 0: its surface is seen from behind
+  Sighting sighting;
+  glm::vec2 position{};  ///< pixels of `to`; meaningful where the sighting is inside
+  /// How many samples of `to` it covers; not > 0 (edge-on not a number): its surface is seen from behind.
+  float area = 0.0f;
 };
 
 /// Keeps references to both.

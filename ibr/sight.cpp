@@ -40,6 +40,7 @@ Sighting Sight::operator()(glm::vec2 pixel, const SurfacePoint& point) const {
         pixel.y < static_cast<float>(size.height) + 0.5f)) {
     return sighting;
   }
+  sighting.isInside = true;
   const glm::vec2 corner = glm::floor(pixel - 0.5f);
   sighting.x = static_cast<int>(corner.x);
   sighting.y = static_cast<int>(corner.y);
@@ -51,9 +52,6 @@ Sighting Sight::operator()(glm::vec2 pixel, const SurfacePoint& point) const {
     if (found == Relation::kSame) sighting.agreeing = static_cast<std::uint8_t>(sighting.agreeing | 1U << k);
     if (found == Relation::kInFront) sighting.hiding = static_cast<std::uint8_t>(sighting.hiding | 1U << k);
   }
-  sighting.seen = sighting.hiding == 0     ? Seen::kClearly
-                  : sighting.agreeing != 0 ? Seen::kPerhaps
-                                           : Seen::kNot;
   return sighting;
 }
 

@@ -11,21 +11,16 @@
 
 namespace promenade::ibr {
 
-enum class Seen : std::uint8_t {
-  kClearly,  ///< nothing around hides the point; the samples may well have missed it, as thin things are
-  kPerhaps,  ///< some samples around show its surface, some one in front of it: an edge passes between them
-  kNot,      ///< some sample around is in front of it, and none shows its surface
-  kOutside,  ///< the frame does not look there
-};
-
 /// A point, as found among the samples of a frame.
 struct Sighting {
-  Seen seen = Seen::kOutside;
-  int x = 0;  ///< of the 2x2 samples around it the upper left, which may lie outside by one
+  bool isInside = false;  ///< the frame looks there; else the rest says nothing
+  int x = 0;              ///< of the 2x2 samples around it the upper left, which may lie outside by one
   int y = 0;
   /// Bit 2 j + i: sample (x+i, y+j) shows the surface of the point.
   std::uint8_t agreeing = 0;
-  std::uint8_t hiding = 0;  ///< likewise: it is in front of the point
+  /// Likewise: it is in front of the point. Where none is, the point is seen, and the samples may well have
+  /// missed it, as thin things are; where some are and some agree, an edge passes between them.
+  std::uint8_t hiding = 0;
 };
 
 /// Keeps a reference to the visibility.

@@ -85,7 +85,7 @@ class Transfer {
   /// around, or sees it from behind.
   [[nodiscard]] bool isBlindTo(int x, int y) const {
     const ProjectedSample sample = back_(x, y);
-    if (sample.sighting.seen == Seen::kOutside) return false;
+    if (!sample.sighting.isInside) return false;
     return sample.sighting.hiding == kAllAround || !(sample.area > 0.0f);
   }
 
@@ -113,7 +113,7 @@ class Transfer {
   /// What own samples around are in front of it hide it as far as their surfaces reach.
   [[nodiscard]] bool isSeen(const ProjectedSample& sample) const {
     const Sighting& sighting = sample.sighting;
-    if (sighting.seen == Seen::kOutside || !(sample.area > 0.0f)) return false;
+    if (!sighting.isInside || !(sample.area > 0.0f)) return false;
     for (int k = 0; k < 4; ++k) {
       if (((sighting.hiding >> k) & 1) == 0) continue;
       if (coverage_.reaches(sighting.x + k % 2, sighting.y + k / 2, sample.position)) return false;

@@ -37,28 +37,30 @@ Visibility wallAndPost() {
 
 TEST(Sight, SeesASurfaceThroughAllSamplesAround) {
   const Sighting found = look(wallAndPost(), {-1.0f, 0.1f, -4.0f}, 1, kTowardsEye);
-  EXPECT_EQ(found.seen, Seen::kClearly);
+  EXPECT_TRUE(found.isInside);
+  EXPECT_EQ(found.hiding, 0);
   EXPECT_EQ(found.agreeing, 0b1111);
 }
 
 TEST(Sight, DoesNotSeeWhatIsHidden) {
-  EXPECT_EQ(look(wallAndPost(), {1.0f, 0.1f, -4.0f}, 1, kTowardsEye).seen, Seen::kNot);
+  const Sighting found = look(wallAndPost(), {1.0f, 0.1f, -4.0f}, 1, kTowardsEye);
+  EXPECT_EQ(found.agreeing, 0);
+  EXPECT_EQ(found.hiding, 0b1111);
 }
 
 TEST(Sight, CannotTellBesideAnEdge) {
   // Pixel 20: the samples at 19.5 show the wall, those at 20.5 the post.
   const Sighting found = look(wallAndPost(), {-0.001f, 0.1f, -4.0f}, 1, kTowardsEye);
-  EXPECT_EQ(found.seen, Seen::kPerhaps);
   EXPECT_EQ(found.agreeing, 0b0101);
   EXPECT_EQ(found.hiding, 0b1010);
   // Of the nearer surface there is no doubt.
-  EXPECT_EQ(look(wallAndPost(), {0.001f, 0.1f, -2.0f}, 2, kTowardsEye).seen, Seen::kClearly);
+  EXPECT_EQ(look(wallAndPost(), {0.001f, 0.1f, -2.0f}, 2, kTowardsEye).hiding, 0);
 }
 
 TEST(Sight, SeesWhatIsThinnerThanItsSamplesAreApart) {
   // A wire in front of everything, between samples.
   const Sighting found = look(wallAndPost(), {-0.5f, 0.1f, -3.0f}, 3, kTowardsEye);
-  EXPECT_EQ(found.seen, Seen::kClearly);
+  EXPECT_EQ(found.hiding, 0);
   EXPECT_EQ(found.agreeing, 0);
 }
 
@@ -67,9 +69,10 @@ TEST(Sight, SeesTheBackgroundOnlyWhereNothingIsBeforeIt) {
   scene.add(1, rectangle({0, -9, -4}, {9, 0, 0}, {0, 18, 0}), uniform(Rgb(1.0f)));
   const Visibility seen = scene.visibility(camera());
   const Sight sight(seen, {0, 0, 0}, kCrease);
-  EXPECT_EQ(sight({5.0f, 5.0f}, {}).seen, Seen::kClearly);
-  EXPECT_EQ(sight({20.0f, 5.0f}, {}).seen, Seen::kPerhaps);
-  EXPECT_EQ(sight({30.0f, 5.0f}, {}).seen, Seen::kNot);
+  EXPECT_EQ(sight({5.0f, 5.0f}, {}).hiding, 0);
+  EXPECT_EQ(sight({20.0f, 5.0f}, {}).agreeing, 0b0101);
+  EXPECT_EQ(sight({20.0f, 5.0f}, {}).hiding, 0b1010);
+  EXPECT_EQ(sight({30.0f, 5.0f}, {}).hiding, 0b1111);
 }
 
 TEST(Sight, KnowsThatFacesThatMeetInAnEdgeDoNotHideEachOther) {
@@ -77,23 +80,23 @@ TEST(Sight, KnowsThatFacesThatMeetInAnEdgeDoNotHideEachOther) {
   AnalyticScene room;
   room.add(1, rectangle({-9, -9, -4}, {10, 0, 0}, {0, 18, 0}), uniform(Rgb(1.0f)))
       .add(2, rectangle({1, -9, -4}, {0, 0, 9}, {0, 18, 0}), uniform(Rgb(1.0f)));
-  EXPECT_EQ(look(room.visibility(camera()), {0.999f, 0.1f, -4.0f}, 1, kTowardsEye).seen, Seen::kClearly);
+  EXPECT_EQ(look(room.visibility(camera()), {0.999f, 0.1f, -4.0f}, 1, kTowardsEye).hiding, 0);
   const float diagonal = std::sqrt(0.5f);
   AnalyticScene pillar;
   pillar.add(1, rectangle({0, -9, -3}, {-2, 0, -2}, {0, 18, 0}), uniform(Rgb(1.0f)))
       .add(2, rectangle({0, -9, -3}, {2, 0, -2}, {0, 18, 0}), uniform(Rgb(1.0f)));
   const Sighting left =
       look(pillar.visibility(camera()), {-0.01f, 0.1f, -3.01f}, 1, {-diagonal, 0.0f, diagonal});
-  EXPECT_EQ(left.seen, Seen::kClearly);
+  EXPECT_EQ(left.hiding, 0);
   EXPECT_EQ(left.agreeing, 0b0101);
 }
 
 TEST(Sight, KnowsNothingOutsideOfTheImage) {
   const Visibility seen = wallAndPost();
   const Sight sight(seen, {0, 0, 0}, kCrease);
-  EXPECT_EQ(sight({-0.6f, 5.0f}, {}).seen, Seen::kOutside);
-  EXPECT_EQ(sight({5.0f, 40.6f}, {}).seen, Seen::kOutside);
-  EXPECT_EQ(sight({std::numeric_limits<float>::quiet_NaN(), 5.0f}, {}).seen, Seen::kOutside);
+  EXPECT_FALSE(sight({-0.6f, 5.0f}, {}).isInside);
+  EXPECT_FALSE(sight({5.0f, 40.6f}, {}).isInside);
+  EXPECT_FALSE(sight({std::numeric_limits<float>::quiet_NaN(), 5.0f}, {}).isInside);
 }
 
 }  // namespace
