@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ibr/angle.h"
 #include "ibr/source_surface.h"
 #include "src/core/errors.h"
 
@@ -51,17 +52,23 @@ class DepthAgreement {
   float halfSample_;
 };
 
+/// How a source looks at a surface, beside how the target does.
+struct OtherLook {
+  float slantChange = 0.0f;  ///< Blended::slantChange
+  float turn = 0.0f;         ///< Blended::turn
+};
+
 /// How surfaces of the target lie to the eyes that look at them.
-class Slants {
+class LinesOfSight {
  public:
-  explicit Slants(const Visibility& target)
+  explicit LinesOfSight(const Visibility& target)
       : target_(target), rays_(target.camera), eye_(target.camera.pose().eye) {}
 
-  /// Blended::slantChange of one source.
-  [[nodiscard]] float change(const glm::dvec3& sourceEye, int x, int y) const {
+  [[nodiscard]] OtherLook from(const glm::dvec3& sourceEye, int x, int y) const {
     const glm::vec3 fromHere = target_.depth(x, y) * rays_.through(x, y);
     const glm::vec3 fromThere = fromHere + glm::vec3(eye_ - sourceEye);
-    return std::abs(std::log(cosine(fromThere, x, y) / cosine(fromHere, x, y)));
+    return {std::abs(std::log(cosine(fromThere, x, y) / cosine(fromHere, x, y))),
+            angleBetween(fromHere, fromThere)};
   }
 
  private:
@@ -78,7 +85,7 @@ struct Mean {
   Rgb diffuse{0.0f};
   Rgb viewDependent{0.0f};
   SampleSource source = SampleSource::kBlended;
-  float slantChange = 0.0f;
+  OtherLook look{};  ///< 0 where both sides count
 };
 
 /// What one source shows at one sample.
@@ -106,15 +113,9 @@ Shown shownBy(const BlendSource& source, const Visibility& target, int x, int y)
 /// The sources that count at one sample: those that are `wanted` there.
 class Counting {
  public:
-  Counting(std::span<Shown> sources, const DepthAgreement& sameDepth, const Slants& slants, double time,
+  Counting(std::span<Shown> sources, const DepthAgreement& sameDepth, const LinesOfSight& lines, double time,
            int x, int y, Validity wanted)
-      : sources_(sources),
-        sameDepth_(sameDepth),
-        slants_(slants),
-        time_(time),
-        x_(x),
-        y_(y),
-        wanted_(wanted) {
+      : sources_(sources), sameDepth_(sameDepth), lines_(lines), time_(time), x_(x), y_(y), wanted_(wanted) {
     for (const Shown& source : sources_) {
       if (source.sample.validity != wanted) continue;
       if (source.time == time) exact_ = &source;
@@ -166,25 +167,28 @@ class Counting {
                       : earlier        ? SampleSource::kWarpedFromPrevious
                                        : SampleSource::kWarpedFromNext;
     if (earlier != later && wanted_ == Validity::kValid && std::isfinite(nearest_))
-      sum.mean.slantChange = slantChange();
+      sum.mean.look = otherLook();
     return sum;
   }
 
   /// By the weights of weighted().
-  [[nodiscard]] float slantChange() const {
-    double sum = 0.0;
+  [[nodiscard]] OtherLook otherLook() const {
+    double slantChange = 0.0;
+    double turn = 0.0;
     double weights = 0.0;
     for (const Shown& source : sources_) {
       if (!(source.weight > 0.0)) continue;
-      sum += source.weight * static_cast<double>(slants_.change(source.eye, x_, y_));
+      const OtherLook look = lines_.from(source.eye, x_, y_);
+      slantChange += source.weight * static_cast<double>(look.slantChange);
+      turn += source.weight * static_cast<double>(look.turn);
       weights += source.weight;
     }
-    return static_cast<float>(sum / weights);
+    return {static_cast<float>(slantChange / weights), static_cast<float>(turn / weights)};
   }
 
   std::span<Shown> sources_;
   const DepthAgreement& sameDepth_;
-  const Slants& slants_;
+  const LinesOfSight& lines_;
   double time_;
   int x_;
   int y_;
@@ -221,9 +225,10 @@ Blended blend(std::span<const BlendSource> sources, Visibility&& target, double 
 
   Blended blended{{{}, RadianceMap(size), RadianceMap(size), SourceMap(size)},
                   Mask(size),
-                  decltype(Blended::slantChange)(size)};
+                  decltype(Blended::slantChange)(size),
+                  decltype(Blended::turn)(size)};
   const DepthAgreement sameDepth(target);
-  const Slants slants(target);
+  const LinesOfSight lines(target);
   tbb::parallel_for(0, size.height, [&](int y) {
     std::vector<Shown> shown(sources.size());
     for (int x = 0; x < size.width; ++x) {
@@ -232,16 +237,17 @@ Blended blend(std::span<const BlendSource> sources, Visibility&& target, double 
         blended.frame.diffuse(x, y) = mean.diffuse;
         blended.frame.viewDependent(x, y) = mean.viewDependent;
         blended.frame.source(x, y) = mean.source;
-        blended.slantChange(x, y) = mean.slantChange;
+        blended.slantChange(x, y) = mean.look.slantChange;
+        blended.turn(x, y) = mean.look.turn;
       };
-      Counting fine(shown, sameDepth, slants, time, x, y, Validity::kValid);
+      Counting fine(shown, sameDepth, lines, time, x, y, Validity::kValid);
       if (!fine.none()) {
         put(fine.mean());
         continue;
       }
       blended.holes(x, y) = 1;
-      Counting coarse(shown, sameDepth, slants, time, x, y, Validity::kUndersampled);
-      put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown, 0.0f} : coarse.mean());
+      Counting coarse(shown, sameDepth, lines, time, x, y, Validity::kUndersampled);
+      put(coarse.none() ? Mean{Rgb(0.0f), Rgb(0.0f), SampleSource::kUnknown, {}} : coarse.mean());
     }
   });
   blended.frame.visibility = std::move(target);

@@ -16,6 +16,8 @@ struct Blended {
   /// changes the logarithm of a reflection that goes by 1/cos, as microfacets do but for their shadowing
   /// (Walter et al. 2007, eq. 20). Elsewhere 0.
   Map<struct SlantTag, float> slantChange;
+  /// Likewise: the radians between those lines of sight. By as much turns what is mirrored.
+  Map<struct TurnTag, float> turn;
 };
 
 /// A frame warped to the target, as maps or sample by sample, and when its samples were ray traced, in any

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "ibr/blend.h"
+#include "src/walkthrough/moved_gloss.h"
 #include "src/walkthrough/retrace_items.h"
 #include "src/walkthrough/selected.h"
-#include "src/walkthrough/slant.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -81,7 +81,7 @@ Inbetween synthesise(InbetweenSources&& sources, const Segment& segment, int fra
     trust = trustIn(used.keyframes.target.item, verdict, renderer);
     blended = blendInTheOrderOfTime(used.keyframes, used.others, std::move(used.keyframes.target), segment,
                                     frameIndex, trust.looksTheSame, settings.warp);
-    blended.holes = holesAndSlantedGloss(blended, trust.looksTheSame);
+    blended.holes = holesAndChangedGloss(blended, used.keyframes, trust.looksTheSame);
     disputed = std::move(used.keyframes.disputed);
     retrace = selectRetrace(blended.holes, blended.frame.source, disputed, trust);
     reused = countReused(used.keyframes, blended.holes);

@@ -11,8 +11,8 @@
 #include "src/core/resolve.h"
 #include "src/walkthrough/contrast_error.h"
 #include "src/walkthrough/inbetween.h"
+#include "src/walkthrough/moved_gloss.h"
 #include "src/walkthrough/seen.h"
-#include "src/walkthrough/slant.h"
 
 namespace promenade::walkthrough {
 namespace {
@@ -41,7 +41,7 @@ WarpedMiddle warpedMiddle(const Middle& middle, const ItemVerdict& items, const 
   ibr::Blended blended =
       ibr::blend(middle.warped.fromFirst, middle.warped.fromLast, clone(middle.warped.target), middle.t);
   const ItemTrust trust = trustIn(blended.frame.visibility.item, items, renderer);
-  blended.holes = holesAndSlantedGloss(blended, trust.looksTheSame);
+  blended.holes = holesAndChangedGloss(blended, middle.warped, trust.looksTheSame);
   const Retrace retrace = selectRetrace(blended.holes, blended.frame.source, middle.warped.disputed, trust);
   return {std::move(blended.frame), either(retrace.holes, retrace.items)};
 }

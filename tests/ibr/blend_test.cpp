@@ -293,6 +293,20 @@ TEST(Blend, SaysHowMuchMoreSlantedOneSideSawASurface) {
               std::log(1.0 / 0.8), 1e-5);
 }
 
+TEST(Blend, SaysHowMuchTheLineOfSightOfOneSideIsTurned) {
+  // A wall 10 m ahead, seen from aside by 10 m and by a millimetre.
+  const Warped hidden = slanted(2.0, Validity::kOccluded);
+  const auto turnFrom = [&](double aside) {
+    Warped source = slanted(0.0);
+    source.eye.x = aside;
+    return blend(hidden, source, wall({1, 1}, 10.0f), 0.5).turn(0, 0);
+  };
+  EXPECT_NEAR(turnFrom(10.0), std::atan(1.0), 1e-6);
+  EXPECT_NEAR(turnFrom(0.001), 1e-4, 1e-8);
+  EXPECT_EQ(turnFrom(0.0), 0.0f);
+  EXPECT_EQ(blend(slanted(0.3), slanted(0.3), wall({1, 1}, 10.0f), 0.5).turn(0, 0), 0.0f);
+}
+
 TEST(Blend, SaysNothingOfSlantWhereBothSidesCountOrNothingIsSeen) {
   EXPECT_EQ(blend(slanted(0.3), slanted(0.3), wall({1, 1}, 10.0f), 0.5).slantChange(0, 0), 0.0f);
   const Warped hidden = slanted(0.3, Validity::kOccluded);

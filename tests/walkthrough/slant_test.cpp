@@ -104,11 +104,12 @@ TEST(SlantedGlossOfAStreet, IsNotTakenFromAKeyframeThatSeesItSteeply) {
   // enough if ((d + s) / d)^3 is at most 2.5: beyond 8 m for 3 m. Nearer, down to 2.7 m + 1 m (the picture's
   // lower edge is half a radian below the horizon), frame 6 has it from the next keyframe alone, 1 m ahead,
   // where ln(cos' / cos) is up to ln(0.48 / 0.37), of what is two thirds gloss. Frames before it see more of
-  // it so, and without this test the worst logarithm of all is 0.25.
+  // it so, and without this test the worst logarithm of all is 0.25. In a tall picture most of it is farther
+  // from what both keyframes show than moved_gloss.h looks.
   constexpr int kLast = 8;
   auto path = tests::still(kLast + 1);
   for (int i = 0; i <= kLast; ++i) path.frames[static_cast<std::size_t>(i)].pose.eye.z = -0.5 * i;
-  Settings settings = tests::settingsFor(path, tests::kWalkSize, 1);
+  Settings settings = tests::settingsFor(path, {16, 288}, 1);
   settings.keyframeSpacing = kLast;
   settings.tolerancePercent = 100.0;  // no difference splits it
   settings.probeShare = 0.0;
@@ -135,7 +136,7 @@ TEST(SlantedGlossOfAStreet, IsNotTakenFromAKeyframeThatSeesItSteeply) {
   };
   const Statistics walk = renderWalkthrough(path, Street(), settings, outputs);
   EXPECT_EQ(walk.segments.size(), 1u);
-  EXPECT_GT(oneSided, 300);
+  EXPECT_GT(oneSided, 30);
   EXPECT_GT(traced, 300);
   // What is asked is share * change <= 0.05, by the warped share; the logarithm is a little more curved.
   EXPECT_LT(worst, 0.055);
