@@ -32,8 +32,9 @@ constexpr float kCovered = 0.65f;
 constexpr float kMostChange = 0.5f;
 /// ... and fits within this variance of the neighbours' positions (in reaches, squared) are held flat.
 constexpr float kRidge = 0.02f;
-/// So many reaches deep in a wall it is its foot.
-constexpr float kInsideWall = 1e-3f;
+/// So many reaches behind a wall a record still counts: half as far as records are placed before walls at the
+/// least. What is seen under a skirting board lies there, and would shine with the daylight behind it.
+constexpr float kInsideWall = 1e-2f;
 constexpr int kSmoothings = 2;
 /// How many standard errors the neighbours may contradict what was gathered and be believed whole; twice as
 /// many, and they are not believed at all.
