@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "tests/walkthrough/one_sided.h"
 #include "tests/walkthrough/retracing_renderer.h"
 #include "tests/walkthrough/walks.h"
 
@@ -193,36 +194,17 @@ TEST(MovedGlossOfAWall, IsNotTakenFromAKeyframeThatSeesItFromElsewhere) {
   // of atan(0.97) radians from ahead, so that its gloss is brighter by 0.16 * 0.23, 13 per cent of the 0.28
   // that is right. Its slant changes by ln(1.23) at most, of a third of its light: without this test only the
   // corner is traced, and the worst is 0.115.
-  constexpr int kLast = 16;
-  const paths::CameraPath path = tests::strafe(kLast + 1, 0.25);
-  Settings settings = tests::settingsFor(path, tests::kWalkSize, 1);
-  settings.keyframeSpacing = kLast;
-  settings.tolerancePercent = 100.0;  // no difference splits it
-  settings.probeShare = 0.0;
-  Outputs outputs;
-  double worst = 0.0;
-  int oneSided = 0;
-  int traced = 0;
-  outputs.frame = [&](FinishedFrame&& frame) {
-    const paths::PathFrame& at = path.frames[static_cast<std::size_t>(frame.index)];
-    const Camera camera(at.pose, at.verticalFieldOfView, settings.size);
-    for (int y = 0; y < settings.size.height; ++y) {
-      for (int x = 0; x < settings.size.width; ++x) {
-        const SampleSource source = frame.source(x, y);
-        if (source == SampleSource::kTracedHole) ++traced;
-        if (source != SampleSource::kWarpedFromPrevious && source != SampleSource::kWarpedFromNext) continue;
-        ++oneSided;
+  const tests::OneSided found = tests::walkOneSegment(
+      tests::strafe(17, 0.25), LitWall(), tests::kWalkSize,
+      [](const FinishedFrame& frame, const Camera& camera, int x, int y) -> std::optional<double> {
         const double truth = LitWall::kDiffuse + luminance(LitWall::gloss(camera, x, y));
-        worst = std::max(worst, std::abs(luminance(frame.radiance(x, y)) / truth - 1.0));
-      }
-    }
-  };
-  const Statistics walk = renderWalkthrough(path, LitWall(), settings, outputs);
-  EXPECT_EQ(walk.segments.size(), 1u);
-  EXPECT_GT(oneSided, 300);
-  EXPECT_GT(traced, 300);
+        return std::abs(luminance(frame.radiance(x, y)) / truth - 1.0);
+      });
+  EXPECT_EQ(found.segments, 1u);
+  EXPECT_GT(found.warped, 300);
+  EXPECT_GT(found.traced, 300);
   // What is asked is 3 per cent, by the mean of a neighbourhood.
-  EXPECT_LT(worst, 0.035);
+  EXPECT_LT(found.worst, 0.035);
 }
 
 }  // namespace

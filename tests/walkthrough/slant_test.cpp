@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "tests/walkthrough/one_sided.h"
 #include "tests/walkthrough/retracing_renderer.h"
 #include "tests/walkthrough/walks.h"
 
@@ -109,37 +110,19 @@ TEST(SlantedGlossOfAStreet, IsNotTakenFromAKeyframeThatSeesItSteeply) {
   constexpr int kLast = 8;
   auto path = tests::still(kLast + 1);
   for (int i = 0; i <= kLast; ++i) path.frames[static_cast<std::size_t>(i)].pose.eye.z = -0.5 * i;
-  Settings settings = tests::settingsFor(path, {16, 288}, 1);
-  settings.keyframeSpacing = kLast;
-  settings.tolerancePercent = 100.0;  // no difference splits it
-  settings.probeShare = 0.0;
-  Outputs outputs;
-  double worst = 0.0;
-  int oneSided = 0;
-  int traced = 0;
-  outputs.frame = [&](FinishedFrame&& frame) {
-    const Camera camera(path.frames[static_cast<std::size_t>(frame.index)].pose,
-                        path.frames[static_cast<std::size_t>(frame.index)].verticalFieldOfView,
-                        settings.size);
-    for (int y = 0; y < settings.size.height; ++y) {
-      for (int x = 0; x < settings.size.width; ++x) {
+  const tests::OneSided found = tests::walkOneSegment(
+      path, Street(), {16, 288},
+      [](const FinishedFrame& frame, const Camera& camera, int x, int y) -> std::optional<double> {
         // Farther, a row of samples differs from the next by more than is asked here.
-        if (!(frame.visibility.depth(x, y) < 10.0f)) continue;
-        const SampleSource source = frame.source(x, y);
-        if (source == SampleSource::kTracedHole) ++traced;
-        if (source != SampleSource::kWarpedFromPrevious && source != SampleSource::kWarpedFromNext) continue;
-        ++oneSided;
+        if (!(frame.visibility.depth(x, y) < 10.0f)) return std::nullopt;
         const double truth = Street::kDiffuse + luminance(Street::gloss(camera, x, y));
-        worst = std::max(worst, std::abs(std::log(luminance(frame.radiance(x, y)) / truth)));
-      }
-    }
-  };
-  const Statistics walk = renderWalkthrough(path, Street(), settings, outputs);
-  EXPECT_EQ(walk.segments.size(), 1u);
-  EXPECT_GT(oneSided, 30);
-  EXPECT_GT(traced, 300);
+        return std::abs(std::log(luminance(frame.radiance(x, y)) / truth));
+      });
+  EXPECT_EQ(found.segments, 1u);
+  EXPECT_GT(found.warped, 30);
+  EXPECT_GT(found.traced, 300);
   // What is asked is share * change <= 0.05, by the warped share; the logarithm is a little more curved.
-  EXPECT_LT(worst, 0.055);
+  EXPECT_LT(found.worst, 0.055);
 }
 
 }  // namespace
