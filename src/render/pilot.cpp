@@ -16,6 +16,15 @@ struct Together {
     squaredLimit += pilot.squaredLimit;
     ++count;
   }
+
+  /// In all, of a reflection with this pilot.
+  [[nodiscard]] int paths(const Pilot& pilot) const {
+    int paths = pilot.paths;
+    while (paths < pilot.most && variance >= 2.0f * static_cast<float>(paths) * squaredLimit && variance > 0.0f) {
+      paths = std::min(2 * paths, pilot.most);
+    }
+    return paths;
+  }
 };
 
 Together around(std::span<const PilotedSample> samples, const PilotedSample& sample, std::size_t line) {
@@ -39,11 +48,10 @@ void choosePaths(std::span<PilotedSample> samples) {
       Pilot& pilot = sample.pilots.lines[line];
       Together known = around(samples, sample, line);
       if (known.count < kLeastPilots) known.add(pilot);
-      while (pilot.wanted < pilot.most &&
-             known.variance >= 2.0f * static_cast<float>(pilot.wanted) * known.squaredLimit &&
-             known.variance > 0.0f) {
-        pilot.wanted = std::min(2 * pilot.wanted, pilot.most);
-      }
+      Together itself;
+      itself.add(pilot);
+      itself.squaredLimit *= kOutlier * kOutlier;
+      pilot.wanted = std::max(known.paths(pilot), itself.paths(pilot));
     }
   }
 }

@@ -15,12 +15,24 @@ namespace {
 /// large, where the eye needs half the contrast.
 constexpr double kRangeOfCoarse = 0.5;
 
-/// One sample of each square of `edge`^2, at another place in its neighbours: renderers may give samples that
-/// share a place in the pixel the same random numbers, whose error would not average out.
-bool isFirstOfSquare(int x, int y, int edge) {
-  const int squareX = x / edge;
-  const int squareY = y / edge;
-  return x % edge == (squareX + squareY) % edge && y % edge == squareY % edge;
+/// One sample of each pixel, in the middle of it or beside, not at one place in all of them: renderers may
+/// give samples that share a place in the pixel the same random numbers, whose error would not average out.
+/// No two rows of them, and no two columns, are further apart than interpolation reaches: what lies between
+/// has samples on both sides, and an edge there is found.
+bool isOnePerPixel(int x, int y, int supersample) {
+  const int column = x / supersample;
+  const int row = y / supersample;
+  const int middle = (supersample - 1) / 2;
+  return x % supersample == middle + (column + column / 2 + row) % 2 &&
+         y % supersample == middle + (row + row / 2) % 2;
+}
+
+/// Of them one in each square of 2 x 2 pixels: all in one row of pixels, at another place in the pixel than
+/// their neighbours.
+bool isOnePerSquare(int x, int y, int supersample) {
+  const int column = x / supersample;
+  const int row = y / supersample;
+  return isOnePerPixel(x, y, supersample) && row % 2 == 0 && column % 2 == row / 2 % 2;
 }
 
 /// Samples that are traced so that others need not be.
@@ -47,9 +59,9 @@ class Lattices {
     coarse_.settings.largestRange *= kRangeOfCoarse;
     for (int y = 0; y < wanted.height(); ++y) {
       for (int x = 0; x < wanted.width(); ++x) {
-        if (wanted(x, y) == 0 || !isFirstOfSquare(x, y, supersample)) continue;
-        fine_.samples(x, y) = 1;
-        coarse_.samples(x, y) = isFirstOfSquare(x / supersample, y / supersample, 2) ? 1 : 0;
+        if (wanted(x, y) == 0) continue;
+        fine_.samples(x, y) = isOnePerPixel(x, y, supersample) ? 1 : 0;
+        coarse_.samples(x, y) = isOnePerSquare(x, y, supersample) ? 1 : 0;
       }
     }
     for (Lattice* lattice : {&coarse_, &fine_})

@@ -139,5 +139,54 @@ TEST(RetraceItems, TracesNothingThatIsNotSelected) {
   EXPECT_EQ(count(retraced.traced), 0u);
 }
 
+/// A glossy wall that fills the picture and mirrors an edge, along a row or a column of samples.
+class EdgeRenderer final : public tests::RetracingRenderer {
+ public:
+  EdgeRenderer(bool isRow, int place) : isRow_(isRow), place_(place) {}
+
+  [[nodiscard]] Visibility visibility(const Camera& camera) const override {
+    const Size size = camera.size();
+    return {camera, DepthMap(size, 6.0f), NormalMap(size, glm::vec3(0.0f, 0.0f, 1.0f)),
+            ItemBuffer(size, kPanel)};
+  }
+  void retrace(Frame& frame, const Mask& mask, SampleSource source, int) const override {
+    for (int y = 0; y < mask.height(); ++y) {
+      for (int x = 0; x < mask.width(); ++x) {
+        if (mask(x, y) == 0) continue;
+        frame.diffuse(x, y) = Rgb(0.0f);
+        frame.viewDependent(x, y) = Rgb((isRow_ ? y : x) < place_ ? 0.2f : 0.3f);
+        frame.source(x, y) = source;
+      }
+    }
+  }
+  [[nodiscard]] ItemTraits traits(ItemId) const override { return {.viewDependent = true}; }
+  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
+
+ private:
+  bool isRow_;
+  int place_;
+};
+
+class EdgeBetweenLattices : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(RetraceItems, EdgeBetweenLattices, testing::Values(2, 3, 4));
+
+TEST_P(EdgeBetweenLattices, IsFoundWhereverItLies) {
+  const int supersample = GetParam();
+  const Size size{24 * supersample, 24 * supersample};
+  for (const bool isRow : {true, false}) {
+    for (int place = 8 * supersample; place < 16 * supersample; ++place) {
+      const EdgeRenderer renderer(isRow, place);
+      const Frame truth = renderer.render(Camera(Pose{}, 1.0, size), 0);
+      Frame warped = renderer.render(Camera(Pose{}, 1.0, size), 0);
+      warped.viewDependent = RadianceMap(size, Rgb(0.25f));
+      const RetracedItems retraced =
+          retraceItems(std::move(warped), Mask(size, 1), ItemSet(), supersample, 0, renderer);
+      EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 1e-6f)
+          << (isRow ? "row " : "column ") << place;
+      EXPECT_LT(count(retraced.traced), size.area() * 35 / 100);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace promenade::walkthrough
