@@ -139,12 +139,12 @@ IrradianceRecords::Entry IrradianceRecords::Places::at(std::size_t lane) const {
           record[lane]};
 }
 
-IrradianceRecords::Places::Lanes IrradianceRecords::Places::weights(const glm::vec3& position,
-                                                                    const glm::vec3& normal) const {
+std::uint32_t IrradianceRecords::Places::weigh(const glm::vec3& position, const glm::vec3& normal,
+                                               Lanes& weights) const {
   namespace hn = hwy::HWY_NAMESPACE;
   constexpr hn::CappedTag<float, kLanes> kTag;
   const auto set = [](float value) { return hn::Set(kTag, value); };
-  alignas(kLanes * sizeof(float)) Lanes weights;
+  std::uint32_t weighty = 0;
   for (std::size_t i = 0; i < kLanes; i += hn::Lanes(kTag)) {
     const auto load = [i](const Lanes& lanes) { return hn::Load(kTag, lanes.data() + i); };
     // As weightOf(), operation by operation.
@@ -164,10 +164,14 @@ IrradianceRecords::Places::Lanes IrradianceRecords::Places::weights(const glm::v
     const auto rise = hn::Div(hn::Mul(set(0.5f), hn::Abs(along)), hn::Mul(set(kMostRise), farthest));
     const auto distance = hn::Div(hn::Sqrt(squared), farthest);
     const auto turned = hn::Sqrt(hn::Div(hn::Max(turn, set(0.0f)), set(kMostTurn)));
-    const auto weight = hn::Max(set(0.0f), hn::Sub(set(1.0f), hn::Max(distance, hn::Max(turned, rise))));
-    hn::Store(hn::IfThenElseZero(reaches, weight), kTag, weights.data() + i);
+    const auto weight = hn::Sub(set(1.0f), hn::Max(distance, hn::Max(turned, rise)));
+    hn::StoreU(weight, kTag, weights.data() + i);
+    const auto counts = hn::And(reaches, hn::Gt(weight, set(0.0f)));
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(kTag, counts, bits.data());
+    weighty |= std::uint32_t{bits[0]} << i;
   }
-  return weights;
+  return weighty;
 }
 
 std::span<const IrradianceRecords::Places> IrradianceRecords::placesIn(const Cell& cell,
@@ -180,8 +184,8 @@ std::span<const IrradianceRecords::Places> IrradianceRecords::placesIn(const Cel
 }
 
 template <class Visit>
-void IrradianceRecords::forEachLitNear(const glm::vec3& position, const glm::vec3& normal,
-                                       const Visit& visit) const {
+void IrradianceRecords::forEachLitAround(const glm::vec3& position, const glm::vec3& normal,
+                                         const Visit& visit) const {
   if (slots_.empty()) return;
   // What several levels need is asked of memory at once.
   constexpr std::size_t kAtOnce = 8;
@@ -201,14 +205,22 @@ void IrradianceRecords::forEachLitNear(const glm::vec3& position, const glm::vec
     }
     for (std::size_t i = 0; i < count; ++i) {
       for (const Places& places : found[i]) {
-        const Places::Lanes weights = places.weights(position, normal);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          if (!(weights[lane] > 0.0f) || isBehindWall(places.record[lane], position)) continue;
-          if (!visit(places.at(lane), weights[lane])) return;
+        Places::Lanes weights;
+        for (std::uint32_t left = places.weigh(position, normal, weights); left != 0; left &= left - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+          if (!visit(places, lane, weights[lane])) return;
         }
       }
     }
   }
+}
+
+template <class Visit>
+void IrradianceRecords::forEachLitNear(const glm::vec3& position, const glm::vec3& normal,
+                                       const Visit& visit) const {
+  forEachLitAround(position, normal, [&](const Places& places, std::size_t lane, float weight) {
+    return isBehindWall(places.record[lane], position) || visit(places.at(lane), weight);
+  });
 }
 
 bool IrradianceRecords::isBehindWall(std::uint32_t record, const glm::vec3& position) const {
@@ -411,16 +423,16 @@ std::optional<SurfaceLight> IrradianceRecords::at(const glm::vec3& position, con
 std::optional<SurfaceLight> IrradianceRecords::roughlyAt(const glm::vec3& position, const glm::vec3& normal,
                                                          float mostReach) const {
   float best = 0.0f;
-  std::optional<Entry> nearest;
-  forEachLitNear(position, normal, [&](const Entry& entry, float weight) {
-    if (weight > best && entry.place.reach <= mostReach) {
-      best = weight;
-      nearest = entry;
-    }
+  Entry nearest;
+  forEachLitAround(position, normal, [&](const Places& places, std::size_t lane, float weight) {
+    if (weight <= best || places.reach[lane] > mostReach || isBehindWall(places.record[lane], position))
+      return true;
+    best = weight;
+    nearest = places.at(lane);
     return best <= 1.0f - kCovered;
   });
-  if (!nearest) return std::nullopt;
-  return SurfaceLight{radianceFrom(*nearest, position, normal), known_[nearest->record].meanDirection};
+  if (!(best > 0.0f)) return std::nullopt;
+  return SurfaceLight{radianceFrom(nearest, position, normal), known_[nearest.record].meanDirection};
 }
 
 std::optional<Rgb> IrradianceRecords::meanArriving(const glm::vec3& position, const glm::vec3& normal,

@@ -145,8 +145,8 @@ class IrradianceRecords {
 
     void set(std::size_t lane, const Entry& entry);
     [[nodiscard]] Entry at(std::size_t lane) const;
-    /// weightOf() each of them.
-    [[nodiscard]] Lanes weights(const glm::vec3& position, const glm::vec3& normal) const;
+    /// weightOf() each of them; bit i of the result: whether lane i has one.
+    std::uint32_t weigh(const glm::vec3& position, const glm::vec3& normal, Lanes& weights) const;
   };
   struct alignas(32) Slot {
     Cell cell{};
@@ -158,7 +158,11 @@ class IrradianceRecords {
   static Cell cellOf(int level, const glm::vec3& position);
   template <class Visit>
   void forEachNear(const glm::vec3& position, const Visit& visit) const;
-  /// visit(entry, weight) for those with a weight on such an element; it returns whether to go on.
+  /// visit(places, lane, weight) for those with a weight on such an element, behind walls too; it returns
+  /// whether to go on.
+  template <class Visit>
+  void forEachLitAround(const glm::vec3& position, const glm::vec3& normal, const Visit& visit) const;
+  /// visit(entry, weight) for those of them before their walls.
   template <class Visit>
   void forEachLitNear(const glm::vec3& position, const glm::vec3& normal, const Visit& visit) const;
   [[nodiscard]] std::size_t firstSlot(const Cell& cell) const;

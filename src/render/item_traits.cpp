@@ -19,6 +19,8 @@ constexpr double kSomewhere = 0.02;
 /// curved piece of metal shows more structure than noise, allowing for all of it would smooth it away
 /// visibly.
 constexpr float kTakenForNoise = 0.05f;
+/// Of all that a flat sheet may have; the grain of what is averaged from few samples is coarse, and is seen.
+constexpr float kTakenForNoiseWhereFlat = 0.75f * kStrongNoise;
 constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample
 
 /// Values of a channel below and above which 2% of the texels lie, in [0, 1].
@@ -103,7 +105,7 @@ std::vector<ItemTraits> itemTraits(const Scene& scene) {
     const float noise = noiseOf(material);
     const bool isBroad = material.roughness >= kNarrow && material.clearcoat <= 0.0f;
     materials.push_back(
-        {isViewDependent(material, ranges), noise, noise > 0.0f && isBroad ? kStrongNoise : noise});
+        {isViewDependent(material, ranges), noise, noise > 0.0f && isBroad ? kTakenForNoiseWhereFlat : noise});
   }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());
