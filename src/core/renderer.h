@@ -13,7 +13,8 @@ struct ItemTraits {
   /// Strongly specular, glossy or transparent by its material: warping may show a wrong reflection.
   bool viewDependent = false;
   /// Standard deviation of a traced sample's view-dependent radiance, as a share of all it shows, that may be
-  /// taken for noise where neighbours are compared. 0: none, as in a mirror.
+  /// taken for noise where neighbours are compared. 0: none, and what it shows may change from sample to
+  /// sample, as in a mirror, or where a texture shapes the reflection.
   float noise = 0.0f;
   /// The same where neighbours face one way, so that what they show differs by little else: at least `noise`.
   float noiseWhereFlat = 0.0f;

@@ -104,8 +104,8 @@ std::vector<ItemTraits> itemTraits(const Scene& scene) {
   for (const Material& material : scene.materials) {
     const float noise = noiseOf(material);
     const bool isBroad = material.roughness >= kNarrow && material.clearcoat <= 0.0f;
-    materials.push_back(
-        {isViewDependent(material, ranges), noise, noise > 0.0f && isBroad ? kTakenForNoiseWhereFlat : noise});
+    materials.push_back({isViewDependent(material, ranges), noise,
+                         noise > 0.0f && isBroad ? kTakenForNoiseWhereFlat : noise});
   }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());

@@ -20,7 +20,8 @@ struct Together {
   /// In all, of a reflection with this pilot.
   [[nodiscard]] int paths(const Pilot& pilot) const {
     int paths = pilot.paths;
-    while (paths < pilot.most && variance >= 2.0f * static_cast<float>(paths) * squaredLimit && variance > 0.0f) {
+    while (paths < pilot.most && variance >= 2.0f * static_cast<float>(paths) * squaredLimit &&
+           variance > 0.0f) {
       paths = std::min(2 * paths, pilot.most);
     }
     return paths;

@@ -46,8 +46,8 @@ struct PilotedSample {
 /// Decides how many paths the reflections of neighbouring samples get: as many as those up to kPilotReach
 /// samples away on the same instance need together, rounded down to the pilot's number times a power of two.
 /// A sample that has fewer than kLeastPilots beside it asks its own too. So does one whose own pilot leaves
-/// kOutlier times the noise that is clean: by chance it met what its neighbours did not, and would be a bright
-/// dot among them.
+/// kOutlier times the noise that is clean: by chance it met what its neighbours did not, and would be a
+/// bright dot among them.
 void choosePaths(std::span<PilotedSample> samples);
 constexpr float kOutlier = 3.0f;
 constexpr int kPilotReach = 4;

@@ -164,14 +164,17 @@ RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, 
     retracing.trace(items);
     return std::move(retracing).result();
   }
-  // Of what has no view-dependent layer to speak of it is the diffuse one that is wrong.
+  // Of what has no view-dependent layer to speak of it is the diffuse one that is wrong; a mirror image may
+  // be as fine as a sample.
   const ItemBuffer& item = retracing.frame().visibility.item;
   Mask whole(items.size());
   Mask layered(items.size());
   for (std::size_t i = 0; i < items.pixels().size(); ++i) {
     if (items.pixels()[i] == 0) continue;
     const ItemId id = item.pixels()[i];
-    (matt.contains(id) || !renderer.traits(id).viewDependent ? whole : layered).pixels()[i] = 1;
+    const ItemTraits traits = renderer.traits(id);
+    const bool isLayered = traits.viewDependent && traits.noise > 0.0f && !matt.contains(id);
+    (isLayered ? layered : whole).pixels()[i] = 1;
   }
   const Lattices lattices(retracing.frame(), layered, supersample, renderer);
   retracing.trace(whole);

@@ -17,8 +17,9 @@ struct RetracedItems {
 /// is ray traced; the others keep their warped diffuse layer and get the view-dependent one of the traced
 /// samples around them on the same surface, unless these differ too much (ibr::interpolateViewLayer). Around
 /// those that get none one sample of each pixel is traced, and where these differ too much, too, all are. Of
-/// `matt` items, whose diffuse layer may not be warped either, and of items that look the same from
-/// everywhere all samples are.
+/// `matt` items, whose diffuse layer may not be warped either, of items that look the same from everywhere,
+/// and of those without noise (ItemTraits::noise), whose reflections may be as fine as a sample, all samples
+/// are.
 [[nodiscard]] RetracedItems retraceItems(Frame frame, const Mask& items, const ItemSet& matt, int supersample,
                                          int frameIndex, const Renderer& renderer);
 

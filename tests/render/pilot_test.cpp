@@ -40,11 +40,17 @@ int wanted(const PilotedSample& sample) {
 }
 
 TEST(Pilots, TellTheirNeighboursButNotTheirOwnSample) {
-  const std::vector<PilotedSample> row = rowNeeding({0.0f, 0.0f, 400.0f, 0.0f, 0.0f});
+  const std::vector<PilotedSample> row = rowNeeding({0.0f, 0.0f, 280.0f, 0.0f, 0.0f});
   EXPECT_EQ(wanted(row[2]), 16);
-  // 400 / 4 = 100 paths, rounded down to 16 times a power of two.
+  // 280 / 4 = 70 paths, rounded down to 16 times a power of two.
   EXPECT_EQ(wanted(row[1]), 64);
   EXPECT_EQ(wanted(row[4]), 64);
+}
+
+TEST(Pilots, OfBrightDotsAskForTheirOwnSample) {
+  const std::vector<PilotedSample> row = rowNeeding({0.0f, 0.0f, 1000.0f, 0.0f, 0.0f});
+  // Three times the noise that is clean is left by 1000 / 9 = 111 paths, rounded down.
+  EXPECT_EQ(wanted(row[2]), 64);
 }
 
 TEST(Pilots, AskForNoMoreThanThereAre) {

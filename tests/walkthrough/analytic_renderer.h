@@ -55,7 +55,10 @@ class AnalyticRenderer final : public RetracingRenderer {
   }
 
   [[nodiscard]] ItemTraits traits(ItemId item) const override {
-    return {(panel_ == Panel::kMirrorLike || panel_ == Panel::kGlossy) && item == kPanel};
+    if (item != kPanel) return {};
+    // Too little noise to hide anything.
+    return {.viewDependent = panel_ == Panel::kMirrorLike || panel_ == Panel::kGlossy,
+            .noise = panel_ == Panel::kGlossy ? 1e-4f : 0.0f};
   }
   [[nodiscard]] RayCounts rayCounts() const override { return {0, shaded_, 0, 0}; }
   [[nodiscard]] std::uint64_t shaded() const { return shaded_; }
