@@ -3,12 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "ibr/source_surface.h"
@@ -65,30 +62,21 @@ class PlaneFit {
   Rgb high_{std::numeric_limits<float>::lowest()};
 };
 
-const float kFlatCosine = static_cast<float>(std::cos(std::numbers::pi / 180.0));
-
 class Interpolation {
  public:
-  struct Found {
-    Rgb value;
-    bool isFlat;
-  };
-
   Interpolation(const Frame& frame, const Mask& known, const ViewLayerSettings& settings)
       : frame_(frame),
         known_(known),
         settings_(settings),
         surface_(frame.visibility, frame.visibility.camera.pose().eye, settings.creaseDegrees) {}
 
-  [[nodiscard]] std::optional<Found> at(int x, int y) const {
+  [[nodiscard]] std::optional<Rgb> at(int x, int y) const {
     const SurfacePoint point = surface_.pointOf(x, y);
     PlaneFit fit;
     int count = 0;
     float low = std::numeric_limits<float>::max();
     float high = 0.0f;
     float whole = 0.0f;
-    const glm::vec3& facing = frame_.visibility.normal(x, y);
-    bool isFlat = true;
     for (int j = y - settings_.reach; j <= y + settings_.reach; ++j) {
       for (int i = x - settings_.reach; i <= x + settings_.reach; ++i) {
         if (!known_.contains(i, j) || known_(i, j) == 0 || !surface_.agrees(i, j, point)) continue;
@@ -98,17 +86,15 @@ class Interpolation {
         high = std::max(high, bright);
         whole += bright + luminance(frame_.diffuse(i, j));
         fit.add(glm::vec2(i - x, j - y), value);
-        isFlat = isFlat && glm::dot(frame_.visibility.normal(i, j), facing) >= kFlatCosine;
         ++count;
       }
     }
     if (count < kFewest) return std::nullopt;
     const float mean = whole / static_cast<float>(count);
-    const LayerNoise noiseOf = settings_.noise ? settings_.noise(frame_.visibility.item(x, y)) : LayerNoise{};
-    const float noise = isFlat ? noiseOf.flat : noiseOf.curved;
+    const float noise = settings_.noise ? settings_.noise(frame_.visibility.item(x, y)) : 0.0f;
     const float largestRange = static_cast<float>(settings_.largestRange) + kRangeOfNoise * noise;
     if (high - low > largestRange * mean) return std::nullopt;
-    return Found{fit.value(), isFlat};
+    return fit.value();
   }
 
  private:
@@ -129,15 +115,14 @@ ViewLayer interpolateViewLayer(const Frame& frame, const Mask& known, const Mask
   if (settings.reach < 1 || !(settings.largestRange > 0.0)) {
     throw InputError("view-dependent layer", "expected a reach of at least 1 and a range above 0");
   }
-  ViewLayer layer{RadianceMap(size), Mask(size), Mask(size)};
+  ViewLayer layer{RadianceMap(size), Mask(size)};
   const Interpolation interpolation(frame, known, settings);
   tbb::parallel_for(0, size.height, [&](int y) {
     for (int x = 0; x < size.width; ++x) {
       if (wanted(x, y) == 0 || known(x, y) != 0) continue;
-      const std::optional<Interpolation::Found> found = interpolation.at(x, y);
+      const std::optional<Rgb> found = interpolation.at(x, y);
       if (!found) continue;
-      layer.viewDependent(x, y) = found->value;
-      layer.flat(x, y) = found->isFlat ? 1 : 0;
+      layer.viewDependent(x, y) = *found;
       layer.found(x, y) = 1;
     }
   });

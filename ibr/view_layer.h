@@ -9,30 +9,22 @@
 
 namespace promenade::ibr {
 
-/// Standard deviation of a known sample's noise, as a share of its luminance (both layers).
-struct LayerNoise {
-  float curved = 0.0f;
-  /// Where all that is known around faces as the sample does, to a degree: the rest is then no structure of
-  /// the surface's own.
-  float flat = 0.0f;
-};
-
 struct ViewLayerSettings {
   int reach = 2;  ///< known samples are looked for so many samples away along x and y, >= 1
   /// Where the luminances known around range over more than this share of the mean luminance there (both
   /// layers), they do not tell what lies between them. > 0.
   /// What is missed is at most about half of that: a crest between them.
   double largestRange = 0.08;
-  /// Of an item; empty: 0 everywhere. Noise is not structure: the range may be wider by what so many samples
-  /// differ by chance, and what is fitted to them is cleaner than any of them.
-  std::function<LayerNoise(ItemId)> noise = {};
+  /// Standard deviation of a known sample's noise, as a share of its luminance (both layers), of an item;
+  /// empty: 0 everywhere. Noise is not structure: the range may be wider by what so many samples differ by
+  /// chance, and what is fitted to them is cleaner than any of them.
+  std::function<float(ItemId)> noise = {};
   double creaseDegrees = kCreaseDegrees;
 };
 
 struct ViewLayer {
   RadianceMap viewDependent;  ///< where `found`, else 0
   Mask found;                 ///< the wanted samples that the known ones around could answer
-  Mask flat;                  ///< of these, those for which LayerNoise::flat was allowed
 };
 
 /// The view-dependent radiance at the samples that `wanted` selects, from those around that `known` selects

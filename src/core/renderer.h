@@ -16,8 +16,6 @@ struct ItemTraits {
   /// taken for noise where neighbours are compared. 0: none, and what it shows may change from sample to
   /// sample, as in a mirror, or where a texture shapes the reflection.
   float noise = 0.0f;
-  /// The same where neighbours face one way, so that what they show differs by little else: at least `noise`.
-  float noiseWhereFlat = 0.0f;
 };
 
 /// Ray counts since the renderer was made, all threads.

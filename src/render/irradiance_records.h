@@ -145,7 +145,7 @@ class IrradianceRecords {
 
     void set(std::size_t lane, const Entry& entry);
     [[nodiscard]] Entry at(std::size_t lane) const;
-    /// weightOf() each of them; bit i of the result: whether lane i has one.
+    /// weightOf() those that have one, by the bits of the result; the weights of other lanes mean nothing.
     std::uint32_t weigh(const glm::vec3& position, const glm::vec3& normal, Lanes& weights) const;
   };
   struct alignas(32) Slot {

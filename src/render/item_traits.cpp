@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <map>
 
-#include "src/render/traced_noise.h"
-
 namespace promenade::render {
 namespace {
 
@@ -15,12 +13,10 @@ constexpr float kSmoothDielectric = 0.35f;
 constexpr float kLeastClearcoat = 0.05f;
 constexpr float kSmoothClearcoat = 0.5f;
 constexpr double kSomewhere = 0.02;
-/// Strong reflections are traced with up to twice that (kStrongNoise), but for narrow ones. Where a
-/// curved piece of metal shows more structure than noise, allowing for all of it would smooth it away
-/// visibly.
+/// Strong reflections are traced with up to twice that (path_solution.cpp), but for narrow ones. Were all of
+/// it allowed for, a curved piece of metal would be smoothed visibly, and the grain of a flat one, averaged
+/// from few samples, be coarse enough to be seen.
 constexpr float kTakenForNoise = 0.05f;
-/// Of all that a flat sheet may have; the grain of what is averaged from few samples is coarse, and is seen.
-constexpr float kTakenForNoiseWhereFlat = 0.75f * kStrongNoise;
 constexpr float kClear = 0.03f;  ///< below this roughness structure is as fine as a sample
 
 /// Values of a channel below and above which 2% of the texels lie, in [0, 1].
@@ -102,10 +98,7 @@ std::vector<ItemTraits> itemTraits(const Scene& scene) {
   std::vector<ItemTraits> materials;
   materials.reserve(scene.materials.size());
   for (const Material& material : scene.materials) {
-    const float noise = noiseOf(material);
-    const bool isBroad = material.roughness >= kNarrow && material.clearcoat <= 0.0f;
-    materials.push_back({isViewDependent(material, ranges), noise,
-                         noise > 0.0f && isBroad ? kTakenForNoiseWhereFlat : noise});
+    materials.push_back({isViewDependent(material, ranges), noiseOf(material)});
   }
   std::vector<ItemTraits> items;
   items.reserve(scene.instances.size());

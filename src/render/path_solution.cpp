@@ -7,7 +7,6 @@
 #include "src/core/display.h"
 #include "src/render/irradiance_solution.h"
 #include "src/render/stratified_mean.h"
-#include "src/render/traced_noise.h"
 
 namespace promenade::render {
 namespace {
@@ -19,11 +18,18 @@ constexpr float kLeastTraced = 0.002f;
 /// Up to this share of what a surface sends back all samples share their random numbers. (A stronger
 /// reflection would show the few directions as ghosts.)
 constexpr float kFaint = 0.25f;
-/// A reflection gets at least so many paths, and up to so many until the standard error of a sample is about
-/// kStrongNoise or, if it is faint or its numbers are shared, this share of all it shows.
+/// A reflection gets at least so many paths, and up to so many until it is clean.
 constexpr int kLeastPaths = 16;
 constexpr int kMostPaths = 128;
+/// Standard error of a sample of a strong reflection, as a share of all it shows, at which it is: between
+/// this and 1.4 times as much, as paths are doubled (pilot.h).
+constexpr float kStrongNoise = 0.1f;
+/// The same where it is faint, or its numbers are shared.
 constexpr float kFaintNoise = 0.015f;
+/// Below this roughness a lobe shows so little of the surroundings that its paths find nearly the same; such
+/// surfaces are often large and flat (polished floors), where noise is seen best. They may be clean after a
+/// few paths, and are traced to less noise.
+constexpr float kNarrow = 0.1f;
 constexpr float kNarrowNoise = 0.06f;
 constexpr int kLeastNarrowPaths = 8;
 /// From one path alone nothing can be told of the noise.

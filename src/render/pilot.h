@@ -2,9 +2,9 @@
 // How many paths a reflection gets until it is clean. Whoever stops by the paths that are averaged stops
 // early where they found nothing bright, and goes on where they did: too dark (Kirk and Arvo, Unbiased
 // Sampling Techniques for Image Synthesis, SIGGRAPH 1991). Their cure is a pilot that is thrown away. Here
-// every sample keeps its pilot, and the pilots of the samples around it, not its own, tell how many paths it
-// gets; together they also know the variance far better than one of them. Not part of the folder's public
-// face.
+// every sample keeps its pilot, and the pilots of the samples around it, not its own (but for bright dots),
+// tell how many paths it gets; together they also know the variance far better than one of them. Not part of
+// the folder's public face.
 
 #include <cstddef>
 #include <cstdint>
@@ -45,9 +45,9 @@ struct PilotedSample {
 
 /// Decides how many paths the reflections of neighbouring samples get: as many as those up to kPilotReach
 /// samples away on the same instance need together, rounded down to the pilot's number times a power of two.
-/// A sample that has fewer than kLeastPilots beside it asks its own too. So does one whose own pilot leaves
-/// kOutlier times the noise that is clean: by chance it met what its neighbours did not, and would be a
-/// bright dot among them.
+/// A sample that has fewer than kLeastPilots beside it asks its own too. And one whose own pilot leaves far
+/// more noise than is clean, as it met what its neighbours did not, would be a bright dot among them: it gets
+/// at least what brings that to kOutlier times the clean noise, rounded down as well.
 void choosePaths(std::span<PilotedSample> samples);
 constexpr float kOutlier = 3.0f;
 constexpr int kPilotReach = 4;

@@ -1,7 +1,6 @@
 #include "src/walkthrough/retrace_items.h"
 
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "ibr/view_layer.h"
@@ -15,24 +14,25 @@ namespace {
 /// large, where the eye needs half the contrast.
 constexpr double kRangeOfCoarse = 0.5;
 
-/// One sample of each pixel, in the middle of it or beside, not at one place in all of them: renderers may
-/// give samples that share a place in the pixel the same random numbers, whose error would not average out.
-/// No two rows of them, and no two columns, are further apart than interpolation reaches: what lies between
-/// has samples on both sides, and an edge there is found.
+// Renderers may give samples that share a place in the pixel the same random numbers, whose error would not
+// average out. So neighbours stand at different places in their pixels: of any 2 x 2 pixels, and of any 2 x 2
+// squares of the coarse lattice, all four have different ones. And between neighbouring rows, and columns,
+// lie no more samples than interpolation reaches: whatever lies between has some on both sides, and an edge
+// there is found. (Not where the item or the picture ends.)
+
+/// One sample of each pixel, in the middle of it or beside.
 bool isOnePerPixel(int x, int y, int supersample) {
   const int column = x / supersample;
   const int row = y / supersample;
   const int middle = (supersample - 1) / 2;
-  return x % supersample == middle + (column + column / 2 + row) % 2 &&
-         y % supersample == middle + (row + row / 2) % 2;
+  return x % supersample == middle + (column + row) % 2 && y % supersample == middle + row % 2;
 }
 
-/// Of them one in each square of 2 x 2 pixels: all in one row of pixels, at another place in the pixel than
-/// their neighbours.
+/// Of them one in each square of 2 x 2 pixels.
 bool isOnePerSquare(int x, int y, int supersample) {
   const int column = x / supersample;
   const int row = y / supersample;
-  return isOnePerPixel(x, y, supersample) && row % 2 == 0 && column % 2 == row / 2 % 2;
+  return isOnePerPixel(x, y, supersample) && column % 2 == row / 2 % 2 && row % 2 == column / 2 % 2;
 }
 
 /// Samples that are traced so that others need not be.
@@ -43,19 +43,15 @@ struct Lattice {
   ibr::ViewLayer expected;
 };
 
-std::function<ibr::LayerNoise(ItemId)> noiseBy(const Renderer& renderer) {
-  return [&renderer](ItemId item) -> ibr::LayerNoise {
-    const ItemTraits traits = renderer.traits(item);
-    return {traits.noise, traits.noiseWhereFlat};
-  };
-}
-
 class Lattices {
  public:
   Lattices(const Frame& warped, const Mask& wanted, int supersample, const Renderer& renderer)
       : warped_(warped.viewDependent.clone()),
         coarse_{Mask(wanted.size()), {.reach = 2 * supersample}, {}},
-        fine_{Mask(wanted.size()), {.reach = supersample, .noise = noiseBy(renderer)}, {}} {
+        fine_{
+            Mask(wanted.size()),
+            {.reach = supersample, .noise = [&renderer](ItemId item) { return renderer.traits(item).noise; }},
+            {}} {
     coarse_.settings.largestRange *= kRangeOfCoarse;
     for (int y = 0; y < wanted.height(); ++y) {
       for (int x = 0; x < wanted.width(); ++x) {
@@ -78,11 +74,7 @@ class Lattices {
     if (lattice.expected.found(x, y) == 0) return true;
     const auto& settings = lattice.settings;
     const float bright = luminance(warped_(x, y));
-    double noise = 0.0;
-    if (settings.noise) {
-      const ibr::LayerNoise known = settings.noise(frame.visibility.item(x, y));
-      noise = lattice.expected.flat(x, y) != 0 ? known.flat : known.curved;
-    }
+    const double noise = settings.noise ? settings.noise(frame.visibility.item(x, y)) : 0.0;
     const double largest = (settings.largestRange + 3.0 * noise) * (bright + luminance(frame.diffuse(x, y)));
     return std::abs(luminance(lattice.expected.viewDependent(x, y)) - bright) > largest;
   }

@@ -41,7 +41,7 @@ int wanted(const PilotedSample& sample) {
 
 TEST(Pilots, TellTheirNeighboursButNotTheirOwnSample) {
   const std::vector<PilotedSample> row = rowNeeding({0.0f, 0.0f, 280.0f, 0.0f, 0.0f});
-  EXPECT_EQ(wanted(row[2]), 16);
+  EXPECT_EQ(wanted(row[2]), 16);  // no bright dot yet: 280 / 9 = 31 paths, rounded down
   // 280 / 4 = 70 paths, rounded down to 16 times a power of two.
   EXPECT_EQ(wanted(row[1]), 64);
   EXPECT_EQ(wanted(row[4]), 64);

@@ -20,8 +20,9 @@ inline constexpr ItemId kColumn = 3;
 enum class Panel {
   kMatt,
   kMirrorLike,
-  kGlossy,  ///< declared view dependent as well, but its reflection changes slowly over the panel
-  kSheen,   ///< like kMirrorLike, but too rough to be declared view dependent
+  kGlossy,   ///< declared view dependent as well, but its reflection changes slowly over the panel
+  kRippled,  ///< like kGlossy, but the reflection changes as fast as a mirror's
+  kSheen,    ///< like kMirrorLike, but too rough to be declared view dependent
 };
 
 class AnalyticRenderer final : public RetracingRenderer {
@@ -57,8 +58,9 @@ class AnalyticRenderer final : public RetracingRenderer {
   [[nodiscard]] ItemTraits traits(ItemId item) const override {
     if (item != kPanel) return {};
     // Too little noise to hide anything.
-    return {.viewDependent = panel_ == Panel::kMirrorLike || panel_ == Panel::kGlossy,
-            .noise = panel_ == Panel::kGlossy ? 1e-4f : 0.0f};
+    const bool isGlossy = panel_ == Panel::kGlossy || panel_ == Panel::kRippled;
+    const float noise = isGlossy ? 1e-4f : 0.0f;
+    return {isGlossy || panel_ == Panel::kMirrorLike, noise};
   }
   [[nodiscard]] RayCounts rayCounts() const override { return {0, shaded_, 0, 0}; }
   [[nodiscard]] std::uint64_t shaded() const { return shaded_; }

@@ -78,6 +78,16 @@ TEST(RetraceItems, TracesOneSampleInTwoByTwoPixelsOfAReflectionThatHardlyChanges
   EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 0.023f / 4.0f);
 }
 
+TEST(RetraceItems, TracesNearlyEverySampleOfASharpReflection) {
+  const AnalyticRenderer renderer(Panel::kRippled);
+  const Frame truth = renderer.render(Camera(Pose{}, 1.0, kRetracedSize), 0);
+  Wrong wrong = wrongPanel(renderer);
+  const RetracedItems retraced = retraceItems(std::move(wrong.frame), wrong.panel, ItemSet(), 2, 0, renderer);
+  EXPECT_GT(count(retraced.traced), wrong.samples * 8 / 10);
+  // But at the crests, where neighbours differ by less than 8% of what the panel shows, at most 1.7.
+  EXPECT_LT(largestError(retraced.frame.viewDependent, truth.viewDependent), 0.5f * 0.08f * 1.7f);
+}
+
 TEST(RetraceItems, TracesEverySampleOfAMirror) {
   const AnalyticRenderer renderer(Panel::kMirrorLike);
   const Frame truth = renderer.render(Camera(Pose{}, 1.0, kRetracedSize), 0);
