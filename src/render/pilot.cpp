@@ -16,17 +16,17 @@ struct Together {
     squaredLimit += pilot.squaredLimit;
     ++count;
   }
-
-  /// In all, of a reflection with this pilot.
-  [[nodiscard]] int paths(const Pilot& pilot) const {
-    int paths = pilot.paths;
-    while (paths < pilot.most && variance >= 2.0f * static_cast<float>(paths) * squaredLimit &&
-           variance > 0.0f) {
-      paths = std::min(2 * paths, pilot.most);
-    }
-    return paths;
-  }
 };
+
+/// In all, of a reflection with this pilot, where one path has that variance.
+int pathsUntil(float squaredLimit, float variance, const Pilot& pilot) {
+  int paths = pilot.paths;
+  while (paths < pilot.most && variance >= 2.0f * static_cast<float>(paths) * squaredLimit &&
+         variance > 0.0f) {
+    paths = std::min(2 * paths, pilot.most);
+  }
+  return paths;
+}
 
 Together around(std::span<const PilotedSample> samples, const PilotedSample& sample, std::size_t line) {
   Together together;
@@ -49,10 +49,8 @@ void choosePaths(std::span<PilotedSample> samples) {
       Pilot& pilot = sample.pilots.lines[line];
       Together known = around(samples, sample, line);
       if (known.count < kLeastPilots) known.add(pilot);
-      Together itself;
-      itself.add(pilot);
-      itself.squaredLimit *= kOutlier * kOutlier;
-      pilot.wanted = std::max(known.paths(pilot), itself.paths(pilot));
+      pilot.wanted = std::max(pathsUntil(known.squaredLimit, known.variance, pilot),
+                              pathsUntil(kOutlier * kOutlier * pilot.squaredLimit, pilot.variance, pilot));
     }
   }
 }

@@ -28,11 +28,9 @@ bool isOnePerPixel(int x, int y, int supersample) {
   return x % supersample == middle + (column + row) % 2 && y % supersample == middle + row % 2;
 }
 
-/// Of them one in each square of 2 x 2 pixels.
-bool isOnePerSquare(int x, int y, int supersample) {
-  const int column = x / supersample;
-  const int row = y / supersample;
-  return isOnePerPixel(x, y, supersample) && column % 2 == row / 2 % 2 && row % 2 == column / 2 % 2;
+/// One pixel of each square of 2 x 2.
+bool isOnePerSquare(int column, int row) {
+  return column % 2 == row / 2 % 2 && row % 2 == column / 2 % 2;
 }
 
 /// Samples that are traced so that others need not be.
@@ -55,9 +53,9 @@ class Lattices {
     coarse_.settings.largestRange *= kRangeOfCoarse;
     for (int y = 0; y < wanted.height(); ++y) {
       for (int x = 0; x < wanted.width(); ++x) {
-        if (wanted(x, y) == 0) continue;
-        fine_.samples(x, y) = isOnePerPixel(x, y, supersample) ? 1 : 0;
-        coarse_.samples(x, y) = isOnePerSquare(x, y, supersample) ? 1 : 0;
+        if (wanted(x, y) == 0 || !isOnePerPixel(x, y, supersample)) continue;
+        fine_.samples(x, y) = 1;
+        coarse_.samples(x, y) = isOnePerSquare(x / supersample, y / supersample) ? 1 : 0;
       }
     }
     for (Lattice* lattice : {&coarse_, &fine_})

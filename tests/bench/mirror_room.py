@@ -33,11 +33,11 @@ MATERIALS = [
     {"name": "red", **matt((0.7, 0.1, 0.1))}, {"name": "green", **matt((0.1, 0.6, 0.1))},
     {"name": "blue", **matt((0.1, 0.2, 0.7))}]
 
-# Centre, half the edges, material, and whether it is seen from within.
-BOXES = [((0, 1.5, 0), (3, 1.5, 3), None, True), ((0, 2.9, 0), (0.5, 0.02, 0.5), LAMP, False),
-         ((-1.6, 0.5, -1.2), (0.4, 0.5, 0.4), RED, False), ((1.5, 0.3, -0.4), (0.3, 0.3, 0.3), GREEN, False),
-         ((-0.4, 0.4, -2.0), (0.3, 0.4, 0.3), BLUE, False), ((0.6, 0.7, -1.8), (0.3, 0.7, 0.3), MIRROR, False),
-         ((-1.9, 0.3, 0.8), (0.3, 0.3, 0.3), MIRROR, False)]
+# Centre, half the edges, material; the first is the room, seen from within.
+BOXES = [((0, 1.5, 0), (3, 1.5, 3), None), ((0, 2.9, 0), (0.5, 0.02, 0.5), LAMP),
+         ((-1.6, 0.5, -1.2), (0.4, 0.5, 0.4), RED), ((1.5, 0.3, -0.4), (0.3, 0.3, 0.3), GREEN),
+         ((-0.4, 0.4, -2.0), (0.3, 0.4, 0.3), BLUE), ((0.6, 0.7, -1.8), (0.3, 0.7, 0.3), MIRROR),
+         ((-1.9, 0.3, 0.8), (0.3, 0.3, 0.3), MIRROR)]
 
 WALK = {"fps": 25, "keys": [{"time": 0, "eye": [1.8, 1.6, 2.4], "target": [-0.6, 0.8, -1.5], "fov": 55},
                             {"time": 2, "eye": [0.4, 1.5, 1.8], "target": [-0.6, 0.8, -1.8]},
@@ -57,29 +57,26 @@ class Binary:
         return len(self.accessors) - 1
 
 
-def quad(binary, centre, half, face, inside):
-    """A face of a box as a primitive without material."""
+def quad(binary, centre, half, face, material):
+    """A face of a box, or without material of the room, as a primitive."""
     normal, u, v = face
     corners = [[c + h * (n + a * s + b * t) for c, h, n, s, t in zip(centre, half, normal, u, v)]
                for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     lows, highs = [min(x) for x in zip(*corners)], [max(x) for x in zip(*corners)]
-    order = (0, 2, 1, 0, 3, 2) if inside else (0, 1, 2, 0, 2, 3)
+    order = (0, 1, 2, 0, 2, 3)
+    if material is None:
+        order, material = (0, 2, 1, 0, 3, 2), FLOOR if normal == (0, -1, 0) else MIRROR
     return {"attributes": {"POSITION": binary.add([x for p in corners for x in p], "f", 5126, "VEC3", min=lows, max=highs)},
-            "indices": binary.add(order, "I", 5125, "SCALAR")}
+            "indices": binary.add(order, "I", 5125, "SCALAR"), "material": material}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
     folder = parser.parse_args().folder
-    binary, meshes = Binary(), []
-    for centre, half, material, inside in BOXES:
-        for face in FACES:
-            is_floor = inside and face[0] == (0, -1, 0)
-            of_room = FLOOR if is_floor else MIRROR
-            primitive = quad(binary, centre, half, face, inside)
-            primitive["material"] = of_room if material is None else material
-            meshes.append({"primitives": [primitive]})
+    binary = Binary()
+    meshes = [{"primitives": [quad(binary, centre, half, face, material)]}
+              for centre, half, material in BOXES for face in FACES]
     scene = {
         "asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_emissive_strength"], "materials": MATERIALS,
         "meshes": meshes, "nodes": [{"mesh": i} for i in range(len(meshes))],

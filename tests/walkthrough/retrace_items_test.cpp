@@ -169,7 +169,6 @@ class EdgeRenderer final : public tests::RetracingRenderer {
     }
   }
   [[nodiscard]] ItemTraits traits(ItemId) const override { return {.viewDependent = true, .noise = 1e-4f}; }
-  [[nodiscard]] RayCounts rayCounts() const override { return {}; }
 
  private:
   bool isRow_;
